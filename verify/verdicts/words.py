@@ -7,8 +7,9 @@ from verify.core.verdicts import SHARED, FormulaVerdict, Safe, Side, Verdict, Ve
 from verify.studies.validity.messages import number
 from verify.verdicts.rule import CLASSES
 
-SIDE = {Safe.ABOVE: "a higher value is safe", Safe.BELOW: "a lower value is safe",
-        Safe.NEITHER: "neither a higher nor a lower value is safe"}  # fmt: skip
+SIDE = {Safe.ABOVE: "values above the reference are safe",
+        Safe.BELOW: "values below the reference are safe",
+        Safe.NEITHER: "neither higher nor lower values are safe"}  # fmt: skip
 ONLY = ", which are the only inputs compared"
 VALUES = re.compile(r" \(\d+ values\)")  # numbers of points, which the ranges state
 SMALLEST = 1e-4  # relative: below it an error or its bar is not printed
@@ -52,7 +53,7 @@ def _head(found: FormulaVerdict) -> Sequence[str]:
             is_alone = _one_at_a_time(found) and not any(map(constant, found.ranges))
             alone = ", one input varied at a time" if is_alone and not over else ""
             largest = sides(found.above or 0.0, found.below or 0.0)
-            errors = f"{found.verdict.value}{over}: values are {largest} the reference{alone}"
+            errors = f"{found.verdict.value}{over}: the values are {largest} the reference{alone}"
             return errors, f"{_error(found)}{only}", SIDE[found.safe]
 
 

@@ -67,8 +67,8 @@ def test_a_measured_error_counts_where_its_meshes_converge(row):
     got = verdict(formula(), shown, row("x: convergence", 0.0, kind=Kind.FACT))
     assert got.verdict is Verdict.UNSAFE
     assert got.words.startswith(
-        "unsafe: values are up to 20 % below the reference. The error is −20 % at the default "
-        "inputs, which are the only inputs compared. A higher"
+        "unsafe: the values are up to 20 % below the reference. The error is −20 % at the default "
+        "inputs, which are the only inputs compared. Values above the reference"
     )
     same = row("x", -0.2, status=Status.SHOWN, kind=Kind.IDENTITY)  # an identity is predicted
     got = verdict(formula(), same, row("x: convergence", 0.0, kind=Kind.FACT))
@@ -212,8 +212,8 @@ def test_a_conservative_formula_states_over_which_range(row, monkeypatch):
     studied(monkeypatch, 0.2, -0.01)
     words = verdict(formula(), row("x", 0.3)).words
     assert words.startswith(
-        "conservative over T, z: values are up to 30 % above and up to 1 % below the reference. "
-        "The error is +"
+        "conservative over T, z: the values are up to 30 % above and up to 1 % below the "
+        "reference. The error is +"
     )
 
 

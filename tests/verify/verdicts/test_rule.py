@@ -70,8 +70,8 @@ def swept(errors, safe, nominal, name="k"):
 
 
 PART = (
-    "accurate in part of the range: up to 30 % below and up to 5 % above; neither a higher nor a "
-    "lower value is safe"
+    "accurate in part of the range: up to 30 % below and up to 5 % above; neither higher nor lower "
+    "values are safe"
 )
 
 

@@ -3,17 +3,19 @@
 from collections.abc import Mapping
 
 LEFT_OUT: Mapping[str, str] = {
-    "freewheel-clutch": "the study of freewheel-torque measures the same formulas",
-    "sprag-friction": "a point takes five minutes of transient analysis: see the rows of the case",
-    "sprag-optimum": "the first level is a complete search: the maps show pressures over the "
-    "crowns",
-    "sprag-optimum-40": "the first level is a complete search: the maps show pressures over "
-    "the crowns",
-    "spring-curve": "one point takes a minute of computing time; case spring-stages measures "
+    "freewheel-clutch": "the study of freewheel-torque covers the same formulas",
+    "sprag-friction": "the transient analyses of one set of inputs take five minutes; the rows of "
+    "the case state the errors at the default inputs",
+    "sprag-optimum": "one set of inputs requires a complete search for the optimal crown; the maps "
+    "of the case show the pressures of other crowns",
+    "sprag-optimum-40": "one set of inputs requires a complete search for the optimal crown; the "
+    "maps of the case show the pressures of other crowns",
+    "spring-curve": "one set of inputs takes a minute; the study of spring-stages covers "
     "the stiffness k_1 of the same spring",
-    "contact-roller-end": "a set of inputs takes two minutes with solid elements; the case "
-    "contact-roller measures the same formulas outside the ends",
-    "rotor-step": "a point with solid elements takes three minutes: see the map of the case",
+    "contact-roller-end": "one set of inputs takes two minutes with solid elements; the study of "
+    "contact-roller covers the same formulas except near the ends",
+    "rotor-step": "one set of inputs takes three minutes with solid elements; the maps of this "
+    "case show the errors over the dimensions",
 }
 
 # cases with maps or curves of the same formula over its inputs, including those of the case

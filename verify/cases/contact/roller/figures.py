@@ -73,8 +73,8 @@ def pressures(context: Context, of: Any = None, key: str = "", crown: str = "") 
         f"Pressure along the roller, at x = 0{crown}", "y [mm]", "p [MPa]", curves,
         y_top=OVER * max(one.p_max / MPa for _, one, _ in models),
         note=f"{q.n} strips, {q.slices} slices; dots: boundary elements on a half-space, finest "
-        "grid. On a half-space, the pressure at a loaded end is unbounded: its curve leaves the "
-        "diagram.",
+        "grid. If an end is loaded, the pressure of the half-space is unbounded there, and its "
+        "curve leaves the diagram.",
     )  # fmt: skip
 
 
