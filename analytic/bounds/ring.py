@@ -1,12 +1,11 @@
 r"""Expected errors of Eq. 6 of Huang 2018 and of Hertz's approach, for a race under n loads.
 
-Eq. 6 is the mean of the Fourier ring. Therefore, its error at a place with the deflection u, of
-which h is the local approach, is
+Eq. 6 gives the mean deflection of the Fourier ring. The formula adds the approach h_a. The
+reference is the deflection u at a place, minus the local approach h. Therefore, the error is
 
-.. math:: m = \frac{\bar u + h_a}{u - h} - 1
+.. math:: m = \frac{\bar u + h_a}{u - h} - 1 .
 
-with the approach h_a that the formula adds. Both approaches are integrated along the axis of the
-contact from McEwen's stresses.
+Both approaches are integrated along the axis of the contact from McEwen's stresses.
 
 References
 ----------
@@ -28,9 +27,9 @@ def smeared_error(
     """Interval of the error of the displacement of a loaded wall by Eq. 6.
 
     The formula is `mean` + `added`, and the reference is `at` - `indentation`. The displacements
-    [length] are those of the loaded wall: `mean` by Eq. 6, `at` the evaluated place, and `load` at
-    a load. The tolerance is ACCEPTED. None if `at` minus `indentation` is less than PART of the
-    displacement at a load.
+    [length] are those of the loaded wall: `mean` by Eq. 6, `at` at the evaluated place, and `load`
+    under a load. The relative tolerance is ACCEPTED. None if `at` - `indentation` is less than PART
+    times `load`.
 
     >>> low, high = smeared_error(mean=1.1, at=1.5, load=1.5, indentation=0.5)
     >>> round(low, 6), round(high, 6)

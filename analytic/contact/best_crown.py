@@ -1,9 +1,10 @@
 r"""Optimal logarithmic crown: the lowest peak pressure among crowns with unloaded ends.
 
-At an end that carries load, the pressure has no maximum (`strips`), although few strips give one.
-Therefore, a crown is admissible only if the last strip at each end, whose width is about the
-half-width b, carries no load. (A contact that ends nearer to the end of the roller can have a peak
-pressure that is lower by some per cent. But then, the slightest overload or tilt loads the end.)
+At an end that carries load, the pressure has no maximum (`strips`), although a model with few
+strips has one. Therefore, a crown is admissible only if the last strip at each end, whose width is
+about the half-width b, carries no load. (A contact that ends nearer to the end of the roller can
+have a peak pressure that is lower by some per cent. But then, the slightest overload or tilt loads
+the end.)
 Differential evolution searches the admissible crowns for the lowest peak pressure; all contacts of
 a generation are solved at once. K_1, K_2 and z_m are rounded to three digits; z_m is in units of
 :math:`A_1 = W/(\pi l E^*)`, the factor of Lundberg's crown. The optimum is flat: a change of a

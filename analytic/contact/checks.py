@@ -61,9 +61,11 @@ def in_plane(E: ArrayLike, nu: ArrayLike, assumption: Assumption) -> tuple[Array
 def pair_in_plane(
     E_1: ArrayLike, nu_1: ArrayLike, E_2: ArrayLike, nu_2: ArrayLike, assumption: Assumption
 ) -> tuple[Array, Array, Array, Array]:
-    """Compliances 1/E' and constants nu' of both bodies; only one body may be rigid."""
+    """Compliances 1/E' and constants nu' of both bodies; at most one body may be rigid."""
     plane_1, cross_1 = in_plane(E_1, nu_1, assumption)
     plane_2, cross_2 = in_plane(E_2, nu_2, assumption)
     if np.any(np.isinf(plane_1) & np.isinf(plane_2)):
-        raise ValueError(f"one body must be elastic, got E_1={plane_1} Pa, E_2={plane_2} Pa")
+        raise ValueError(
+            f"at least one body must be elastic, got E_1={plane_1} Pa, E_2={plane_2} Pa"
+        )
     return np.asarray(1 / plane_1), cross_1, np.asarray(1 / plane_2), cross_2

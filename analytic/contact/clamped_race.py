@@ -74,7 +74,7 @@ def rim_constant(*, r_i: float, r_o: float, nu: float, assumption: Assumption) -
 
 @cache
 def _constant(ratio: float, nu: float) -> float:
-    """Sum of delta_n; the remainder of the series decreases as 1/n² and is estimated."""
+    """Sum of delta_n; the terms decrease as 1/n², and the remainder of the series is estimated."""
     n = np.arange(2, TERMS + 1, dtype=np.float64)
     delta = np.concatenate([[_first(ratio, nu) - 1], _higher(n, ratio, nu) - 1 / n])
     tail = delta[-1] * TERMS  # sum of c/n² beyond n is c/n
@@ -109,7 +109,10 @@ def _first(ratio: float, nu: float) -> float:
 
 
 def _higher(n: Array, ratio: float, nu: float) -> Array:
-    """Dimensionless displacements E' U_n/(2 r_i), n >= 2; growing powers are 1 at the rim."""
+    """Dimensionless displacements E' U_n/(2 r_i), n >= 2.
+
+    Powers of r that increase with r are scaled to 1 at the rim.
+    """
     k, one = (3 - nu) / (1 + nu), np.ones(n.size)
     # solution by solution: U, V at r = 1 and exponents
     U = np.array([one, one, k - n - 1, k + n - 1])

@@ -1,10 +1,10 @@
 r"""Crowns of rollers: drop of the profile from mid-length towards the ends.
 
-A long contact under a uniform load per length W/l indents, away from its ends, by
-:math:`\frac{W}{\pi l E^*}\ln[1 - (2y/l)^2]` more than in the middle. A crown of that shape
-(Lundberg's) gives a uniform pressure, but its drop is infinite at the ends. Johns and Gohar limit
-the drop to the value that is required at the end; Fujiwara and Kawase use a straight middle part
-and a drop z_m at the end:
+Under a uniform load per length W/l, the indentation of a long contact decreases from the middle to
+the position y by :math:`-\frac{W}{\pi l E^*}\ln[1 - (2y/l)^2]` (not valid near the ends). A crown
+of that shape (Lundberg's) gives a uniform line load, but its drop is infinite at the ends. Johns
+and Gohar limit the drop to the value that is required at the end. Fujiwara and Kawase use a
+straight middle part and a drop z_m at the end:
 
 .. math::
     z = -A \ln\left[1 - \left(1 - e^{-z_m/A}\right) t^2\right], \qquad
@@ -13,7 +13,7 @@ and a drop z_m at the end:
 
 y runs along the axis from mid-length, |y| <= l/2. Any consistent units. E* is the contact modulus
 of `hertz_line`; for steel on steel the paper's E' is 2 E*. Eq. 1 of the paper prints t without the
-maximum and y without the absolute value: the profiles of the two ends then differ.
+maximum, and y in place of |y|; as printed, the profiles of the two ends differ.
 
 References
 ----------

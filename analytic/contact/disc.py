@@ -59,8 +59,8 @@ class PressedDisc:
     def moment_width(self) -> float:
         """Half-width [length] 2 sqrt(int q x² / int q) from the moments of the pressure.
 
-        For Hertz's pressure it equals a. For the disc it is larger by the fraction 1/16 (a/R)², as
-        the pressure distribution is flatter.
+        For Hertz's pressure, it equals a. For the disc, it exceeds a by the fraction 1/16 (a/R)²,
+        because the pressure distribution is flatter than Hertz's.
         """
         return float(self.a * np.sqrt(1 + self.coefficients[1] / self.coefficients[0]))
 

@@ -41,8 +41,8 @@ def width_excess(*, a: ArrayLike, R: ArrayLike) -> Array:
 def moment_width_excess(*, a: ArrayLike, R: ArrayLike) -> Array:
     """Relative excess of the half-width 2 sqrt(int q x² / int q) over Hertz's: -1/4 (a/R)².
 
-    The edge of the contact moves by -5/16 (a/R)²; the flatter pressure distribution adds 1/16
-    (a/R)².
+    The relative displacement of the edge of the contact is -5/16 (a/R)²; the flatter pressure
+    distribution adds 1/16 (a/R)².
     """
     return np.asarray(-1 / 4 * _ratio(a, R) ** 2)
 

@@ -4,9 +4,9 @@ Consider the axial section at the end face of a roller without crown, on a race 
 beyond the end: a right-angled corner on a half-plane, without friction. The stresses are
 proportional to :math:`r^{\lambda-1}`. The exponent lambda in (0, 1) follows from the condition that
 both faces have equal pressures and equal displacements (Williams' eigenfunctions). For the right
-angle, :math:`\lambda - 1 = -0.226`; if the roller also continues as a half-space, it is
-:math:`-1/2`. The exponent depends only on the angle: the moduli cancel, because both bodies have
-the same material.
+angle, :math:`\lambda - 1 = -0.226`. If the roller, too, is replaced by a half-space, the exponent
+is :math:`-1/2`. It depends only on the angle: the moduli cancel, because both bodies have the same
+material.
 
 References
 ----------

@@ -1,9 +1,9 @@
 r"""Frictionless normal contact of half-spaces with any gap between them, by boundary elements.
 
-The pressure is uniform in each of nx by ny equal cells. The displacements of the cell centres are
-Love's (`love`), summed by fast transforms (`half_space_convolution`). The unilateral contact
-conditions are met to the tolerance (`half_space_cg`). E* is the contact modulus of both bodies. Any
-consistent units.
+The pressure is uniform in each of nx by ny equal cells. The displacements of the cell centres
+follow from Love's formula (`love`) and are summed by fast transforms (`half_space_convolution`).
+The unilateral contact conditions are satisfied within a tolerance (`half_space_cg`). E* is the
+contact modulus of both bodies. Any consistent units.
 
 Range: small strain, contact area much smaller than the bodies, no free edge near the contact. Each
 cell is either inside or outside of the contact, so that the boundary of the contact is stepped. The
@@ -34,7 +34,7 @@ MIRROR = 1e-13  # share of the gap's range: allowed difference of its halves as 
 
 
 class HalfSpace:
-    """Grid of `shape` = (nx, ny) cells `cell` = (hx, hy), with influence coefficients for reuse."""
+    """Grid of `shape` = (nx, ny) cells, sides `cell` = (hx, hy), with influence coefficients."""
 
     def __init__(self, shape: tuple[int, int], *, cell: tuple[float, float], E_star: float) -> None:
         if np.shape(cell) != (2,):

@@ -1,4 +1,4 @@
-r"""Contact pressures without tension and overlap, by preconditioned conjugate gradients.
+r"""Contact pressures without tension or overlap, by preconditioned conjugate gradients.
 
 .. math::
     p \ge 0, \qquad g = Kp + z - \delta \ge 0, \qquad p\,g = 0
@@ -113,7 +113,7 @@ def _step(K: Convolution, now: _State, overlap: Array, free: Mask, total: float 
 
 
 def _balanced(values: Array, free: Mask, total: float | None) -> Array:
-    """`values` on the free cells; if `total` is given, reduced by their mean to a zero sum."""
+    """Return `values` on the free cells; if `total` is given, their mean is subtracted."""
     values = values * free
     if total is not None:
         values -= free * (values.sum() / np.count_nonzero(free))
@@ -121,6 +121,6 @@ def _balanced(values: Array, free: Mask, total: float | None) -> Array:
 
 
 def _kept(pressure: Array, total: float | None) -> Array:
-    """`pressure` without negative values, scaled to the given total."""
+    """Return `pressure` without negative values, scaled to the sum `total` if it is given."""
     pressure = np.maximum(pressure, 0.0)
     return pressure if total is None else pressure * (total / pressure.sum())

@@ -54,7 +54,7 @@ class Convolution:
         return self._filter(displacement, 1, self._inverse)
 
     def half(self, field: Array) -> Array:
-        """Part of a field on the whole grid that is solved: half of it along each mirrored axis."""
+        """Solved part of a field on the whole grid: half of the cells along each mirrored axis."""
         return field[tuple(np.s_[n // 2 :] if m else np.s_[:] for n, m in self._axes())]
 
     def whole(self, field: Array) -> Array:
@@ -79,7 +79,10 @@ class Convolution:
         return np.ascontiguousarray(kernel)
 
     def _filter(self, field: Array, periods: int, symbol: Array) -> Array:
-        """`field` after padding to `periods`, transform, product with `symbol`, inverse."""
+        """Convolution of `field` with the kernel whose transform is `symbol`.
+
+        The field is padded with zeros to `periods` periods of the grid.
+        """
         order = sorted((1, 0), key=lambda axis: not self.mirrored[axis])
         now: Spectrum = field
         for axis in order:  # zeros are padded axis by axis: what is nothing is not transformed

@@ -1,4 +1,4 @@
-"""Roller on a half-space: results that do not depend on the cells, and a grid for them.
+"""Roller on a half-space: results that converge if the cells are refined, and a grid for them.
 
 The pressure at a loaded end is unbounded. Therefore, the results are the largest pressure outside
 the end zones of length d and the load of the end zones.
@@ -45,12 +45,13 @@ class Ridge:
 
     @property
     def values(self) -> dict[str, float]:
-        """Results that do not depend on the cells, and "p_largest", which depends on them.
+        """Results by name; `p_largest`, the largest pressure of a cell, depends on the cell size.
 
-        Pressures: p_max outside the end zones d, p_mid at mid-length, p_top anywhere, p_d for the
-        mean load within d of the more loaded end. Line load q_mid and half-width b_mid at
-        mid-length, approach delta, loads F_low, F_high, F_d of the end zones (both together),
-        tilting moment M, and `balance`, the error of the load.
+        Largest pressures are p_max outside the end zones of length d and p_top on the whole roller.
+        p_mid is the pressure at mid-length, p_d Hertz's pressure under the mean line load of the
+        more loaded end zone. q_mid is the line load and b_mid the half-width at mid-length, delta
+        the approach, F_low and F_high are the loads of the end zones, F_d is the sum of both. M is
+        the tilting moment, `balance` the error of the load.
         """
         found, ridge = self.contact, self.pressure
         limits = np.array([-1.0, 1.0]) * self.inner(self.d)
@@ -83,11 +84,11 @@ class Ridge:
         return float(np.abs(line / line.mean() - 1).mean() / 2)
 
     def inner(self, end: float) -> float:
-        """Position y [length] at the distance `end` from the end of the roller."""
+        """Position y > 0 [length] at the distance `end` from the end of the roller."""
         return self.contact.length / 2 - end
 
     def beyond(self, end: float) -> Array:
-        """Pressures at x = 0 at all positions outside end zones of length `end`."""
+        """Pressures at x = 0 of all cells whose centre is outside the end zones of length `end`."""
         return np.asarray(self.pressure[np.abs(self.contact.y) <= self.inner(end)])
 
 

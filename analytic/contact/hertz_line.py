@@ -4,7 +4,7 @@ r"""Line contact of cylinders with parallel axes (Hertz).
     a = \sqrt{\frac{4PR}{\pi E^*}}, \qquad p_0 = \frac{2P}{\pi a} = \sqrt{\frac{P E^*}{\pi R}},
     \qquad p(x) = p_0\sqrt{1 - x^2/a^2}
 
-P is the load per unit length, R the relative radius, E* the contact modulus, which alone depends on
+P is the load per unit length, R the relative radius, E* the contact modulus. Only E* depends on
 whether the bodies are in plane strain (long) or plane stress (thin sheets). Any consistent units.
 
 Range: frictionless, small strain, a much smaller than every radius and than the bodies. Each body

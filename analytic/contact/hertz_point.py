@@ -5,9 +5,9 @@ r"""Point contact of two spheres, or of a sphere and a flat (Hertz).
     p_0 = \frac{3P}{2\pi a^2} = \left(\frac{6P{E^*}^2}{\pi^3R^2}\right)^{1/3}, \qquad
     \delta = \frac{a^2}{R}
 
-P is the load (a force), R the relative radius and E* the contact modulus in plane strain
-(`hertz_line` has both). Any consistent units. Range: frictionless, small strain, a much smaller
-than the radii.
+P is the load (a force). `hertz_line` contains the functions for the relative radius R and for the
+contact modulus E*, which is that of plane strain. Any consistent units. Range: frictionless, small
+strain, a much smaller than the radii.
 
 References
 ----------
@@ -106,7 +106,8 @@ def axis_stresses(
 def largest_shear_stress(*, a: ArrayLike, p_0: ArrayLike, nu: float) -> tuple[Array, Array]:
     """Largest shear stress [stress] on the axis and its depth [length], by numerical maximisation.
 
-    For nu = 0.3, it is 0.310 p_0 at 0.481 a. The error of the depth is below 1e-7 a.
+    For nu = 0.3, the stress is 0.310 p_0 at the depth 0.481 a. The error of the depth is below
+    1e-7 a.
     """
     a, p_0 = _contact(a, p_0)
 

@@ -116,9 +116,10 @@ def left_out(
 
     .. math:: \frac{e^4}{8} + \frac{(\beta\kappa a)^2}{4} + \frac{|\beta\kappa a|\, e^2}{2}
 
-    The first factor is the largest known one. The second factor is twice the known one, to cover
-    other coupling terms of this order. The third factor is not computed: it assumes that the discs
-    change the first-order term as they change the pressure.
+    The factor 1/8 is about the largest of the known factors of e⁴ (0.129 for the half-width of
+    equal discs). The factor 1/4 is about twice the known one, to cover other coupling terms of this
+    order. The factor 1/2 is not computed: it assumes that the discs change the first-order term as
+    they change the pressure.
 
     >>> steel = {"E_1": 2.0, "nu_1": 0.3, "E_2": 2.0, "nu_2": 0.3, "assumption": "plane strain"}
     >>> round(left_out(a=0.1, R_1=1.0, R_2=1.0, **steel), 12)

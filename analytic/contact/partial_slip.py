@@ -92,8 +92,8 @@ def rigid_displacement_beyond_stick(
     .. math:: \frac{\mu P}{\pi E^*}\left[k + (1-k)\ln(1-k)\right],
 
     the difference of two displacements in the middle of the contact, -2/(pi E*) times the integral
-    of q ln|x|: for the traction above and for the traction of complete stick,
-    :math:`Q/(\pi\sqrt{a^2 - x^2})`.
+    of q ln|x|: one for the traction q of partial slip (`traction`), the other for the traction of
+    complete stick, :math:`Q/(\pi\sqrt{a^2 - x^2})`.
     """
     k = _share(Q, P, mu)
     bracket = k**2 / 2 * hyp2f1(1, 1, 3, k)  # the same without cancellation at small k
@@ -108,7 +108,7 @@ def dundurs_beta(
 
     .. math:: \beta = \frac{(1-\nu_2')/E_2' - (1-\nu_1')/E_1'}{2\,(1/E_1' + 1/E_2')}
 
-    with E' and nu' of plane stress or plane strain; one body may be rigid.
+    with E' and nu' of plane stress or plane strain; at most one body may be rigid.
 
     >>> one = {"E_1": 1.0, "nu_1": 0.3, "assumption": "plane strain"}
     >>> float(dundurs_beta(**one, E_2=1.0, nu_2=0.3))

@@ -1,4 +1,4 @@
-"""Evaluation of pressures and line loads given in equal parts of a roller."""
+"""Evaluation of pressures and line loads that are given on parts of equal length of a roller."""
 
 from dataclasses import dataclass
 
@@ -84,7 +84,7 @@ def vertex(p: Array, at: int) -> float:
 def load_elsewhere(line: Array, other: Array, length: float) -> tuple[float, float]:
     """Fraction of the load by which `line` (n,) differs from `other` (m,), and relative L2 error.
 
-    Both are line loads of equal parts of the roller. The L2 error is relative. The fraction hardly
+    `line` and `other` are line loads on parts of equal length of the roller. The fraction hardly
     depends on the number of parts; the L2 error is mostly due to the parts at the end of contact.
 
     >>> load_elsewhere(np.array([2.0, 0.0]), np.ones(8), 1.0)

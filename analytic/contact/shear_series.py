@@ -38,7 +38,7 @@ def shear_excess(*, a: ArrayLike, R: ArrayLike) -> Array:
 
 
 def tilted_shear_excess(kappa_a: float) -> float:
-    r"""Relative excess (no unit) of the largest shear stress if the pressed line is curved.
+    r"""Relative excess (no unit) of the largest shear stress if the deformed line is curved.
 
     On a contact line with the curvature kappa, the pressure p at x' has the tangential component
     kappa x' p towards the axis. By Flamant's solution for a tangential force, this component adds

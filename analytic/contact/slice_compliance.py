@@ -16,9 +16,9 @@ d being the distance along the centre line, D the length of a slice, b the half-
 
 Other kernels of the same width (Hertz's ellipse across, the mean over the displaced slice) change
 the peak pressure of the paper's crowned roller by 0.2 % or less with at least 41 slices, as long as
-the peak is not in the end slices. Twice or half the width changes it by up to 1.3 % with 41 slices,
-and by 6 % with 101 slices if the peak moves to the ends. Therefore, the width cannot be chosen
-freely.
+the peak is not in the end slices. Twice or half the width 2b changes the peak pressure by up to
+1.3 % with 41 slices, and by 6 % with 101 slices if the peak moves to the ends. Therefore, the width
+cannot be chosen freely.
 
 References
 ----------

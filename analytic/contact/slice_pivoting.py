@@ -27,7 +27,7 @@ ROUND_OFF = 1e-13  # relative to the largest f: smaller tensions and overlaps co
 
 
 def carried(S: Array, f: Array, rate: Array, carries: NDArray[np.bool_]) -> tuple[Array, Array]:
-    """Forces q of slices with S q = f where loaded, and their derivatives if f changes at `rate`.
+    """Forces q with S q = f on the loaded slices, and their derivatives if f changes at `rate`.
 
     The shape of S is (cases, n, n), that of f and `rate` (cases, n). `carries` is the initial set
     of loaded slices; it is changed in place to the final set. Raises ArithmeticError if the search

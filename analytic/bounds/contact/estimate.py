@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 
 class Estimate(NamedTuple):
-    """Expected signed error formula/true - 1 [1], and its tolerance."""
+    """Expected signed error (formula/true value - 1) [1], and its tolerance."""
 
     error: float
     slack: float

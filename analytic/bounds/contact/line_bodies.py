@@ -84,7 +84,7 @@ class OfDiscs(TwoBodies):
 
     @property
     def bounded(self) -> tuple[Estimate, Estimate]:
-        """Expected errors of pressure and half-width; the tolerance bounds the neglected terms."""
+        """Expected errors of pressure and half-width; tolerance: bound of the neglected terms."""
         sizes = {"a": self.a, "R_1": self.R_1, "R_2": self.R_2}
         slack = pair_series.left_out(**sizes, **self.materials, assumption=PLANE)
         p, w = (Estimate(1 / (1 + one.total) - 1, slack) for one in self.series)
@@ -139,7 +139,8 @@ class InRace(TwoBodies):
     def approach(self) -> Estimate:
         """Expected error of the approach: zero; the tolerance is `small`/2 plus `|coupled|`.
 
-        The brackets of the approach are at least 2.
+        The relative errors are divided by the bracket of the approach, 2 ln(...) + ..., which is at
+        least 2.
         """
         return Estimate(0.0, self.small / 2 + abs(self.coupled))
 

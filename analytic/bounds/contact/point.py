@@ -9,8 +9,8 @@ from analytic.bounds.contact.estimate import Estimate
 def corrected(excess: float, *, beyond: float, power: float = 1.0) -> Estimate:
     """Expected error of a formula, if the true value is the formula times 1 + `excess`.
 
-    `excess` is the first correction for finite spheres. The value is proportional to the approach
-    to the `power`: 3/2 for the load.
+    `excess` is the first correction for finite spheres. The tolerance is `power` times `beyond`,
+    because the value is proportional to the approach to this power (3/2 for the load).
 
     >>> corrected(1.0, beyond=0.01)
     Estimate(error=-0.5, slack=0.01)

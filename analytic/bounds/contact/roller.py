@@ -28,8 +28,8 @@ def of_strips(
     The interval extends from half to twice the error `missing` of the `value`. On both sides, the
     remaining first-order error of the strips is added: twice the change of the value with `twice`
     as many strips, or once this change at a `loaded` end, where more strips need not be more
-    accurate. None if no estimate is known. b is the half-width. With `user_inputs`, the strips are
-    not adapted to the inputs.
+    accurate. None if no estimate is known. b is the half-width. With `user_inputs`, the interval is
+    wider, because the number of strips is not adapted to these inputs.
 
     >>> contact = {"b": 1.0, "length": 100.0, "loaded": False, "user_inputs": False}
     >>> low, high = of_strips(0.02, value=1.0, twice=1.0, **contact)
@@ -51,7 +51,7 @@ def of_strips(
 
 
 def local_pressure(*, b: float, R: float, length: float) -> Interval:
-    """Interval of the error of Hertz's pressure, computed with the line load at mid-length.
+    """Interval of the error of Hertz's pressure that is computed from the line load at mid-length.
 
     Hertz's theory neglects the circular shape and the change of load along the roller. These
     effects are estimated by (b/R)² and (2b/length)² with the half-width b.

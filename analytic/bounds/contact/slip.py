@@ -1,4 +1,4 @@
-"""Expected errors of Cattaneo's and Mindlin's half planes for two equal discs."""
+"""Expected errors of Cattaneo's and Mindlin's theory (half planes) for two equal discs."""
 
 MODEL = 2.0  # bound of that error over (a/R)²
 

@@ -1,4 +1,4 @@
-"""Expected errors of the formulas of a drawn cup, from its dimensions and from enclosing rings.
+"""Expected errors of the formulas of a drawn cup, from its dimensions and from two simple rings.
 
 The torque causes wind-up of cup and shaft. At a given torque, errors increase near the torque
 maximum, where a small additional compliance reduces the torque considerably. Therefore, the whole
@@ -118,7 +118,7 @@ class CupBounds:
 
     @property
     def middle(self) -> Factors:
-        """Factors of d_i, d_o and torque that replace d_o by its expected value."""
+        """Factors of d_i, d_o and torque with which d_o has its expected value."""
         return 1.0, self.own["d_o"] / self.at.d_o, 1.0
 
     def approach(self, which: str) -> Interval:

@@ -1,12 +1,12 @@
-"""Expected interval of the approach of a cup, from rings that enclose it.
+"""Expected interval of the approach of a cup, from the approaches of two rings.
 
-The cup contains the ring outside its corners, X_o/cos(pi/z), and is contained in the ring outside
-its flats, X_o. Therefore, its compliance as a ring lies between those of both rings. With the ring
-outside the corners, the rollers rest on the remaining part of the flat, a column in which the load
-spreads as in a half plane. In units of P/(pi E'), the displacement constants are
--2 ln(a) + 2 ln 2 + 1 for a Hertz patch and -2 ln(h) + 2 for the pressures at the depth h. The
-shortening of the column is 2 ln(2 h/a) - nu'. Together, the column adds 1 - nu' to the constant of
-the bore.
+The cup contains the ring whose bore circumscribes its corners (radius X_o/cos(pi/z)), and is
+contained in the ring whose bore touches its flats (radius X_o). Therefore, its compliance as a ring
+lies between the compliances of both rings. In the first ring, the rollers rest on the remaining
+part of the flat, a column in which the load spreads as in a half plane. In units of P/(pi E'), the
+displacement constants are -2 ln(a) + 2 ln 2 + 1 for a Hertz patch and -2 ln(h) + 2 for the
+pressures at the depth h. The shortening of the column is 2 ln(2 h/a) - nu'. Together, the column
+adds 1 - nu' to the constant of the bore.
 """
 
 import math
@@ -20,8 +20,8 @@ from analytic.bounds.freewheel.ring_constants import free_ring
 def expected_approach(cup: FreewheelParts, P: float) -> tuple[float, float, float]:
     """Smallest, expected and largest approach [length] of roller and cup under P [force/length].
 
-    The expected value is that of a ring whose bore has the area enclosed by the flats. The limits
-    are those of rings with the bores X_o and X_o/cos(pi/z).
+    The expected value is that of a ring whose bore has the area enclosed by the flats. The smallest
+    and the largest value are those of rings with the bore radii X_o and X_o/cos(pi/z).
     """
     half = math.pi / cup.z
     corner = cup.flat / math.cos(half)

@@ -1,10 +1,10 @@
 """Expected errors of the friction of a freewheel, from the possible errors of the clamping angle.
 
 A tangential force causes no normal displacement on a body that is symmetric about the contact
-normal. Contacts on flats are off the middle of the flat by psi, about 2 tan(alpha); F_t is
-tan(alpha) N; and the shape of the bodies determines less than half of an approach. Therefore,
-approaches change by at most the fraction tan² alpha. tan² alpha increases linearly with the
-approaches from its value at alpha_0.
+normal. The contact on a flat is at the angle psi, about 2 tan(alpha), from the middle of the flat;
+F_t is tan(alpha) N; and the shape of the bodies determines less than half of an approach.
+Therefore, tangential forces change approaches by at most the fraction tan² alpha. tan² alpha
+increases linearly with the approaches from its value at alpha_0.
 """
 
 import math
@@ -18,7 +18,7 @@ SAME_EQUATION = 1e-6  # relative difference of two forms of one equation, beside
 
 
 class FrictionBounds:
-    """Intervals of formula/reference - 1 under torque and axial load.
+    """Intervals of the errors (formula/reference - 1) under torque and axial load.
 
     `star` contains the bounds of the angle. `mu` is the friction coefficient, `lever` is F_ax R/T.
     """
@@ -53,7 +53,7 @@ class FrictionBounds:
     def limit_load(self) -> Interval | None:
         """Interval of the error of F_ax at the friction limit; None if the interval is too wide.
 
-        The interval is too wide if tan(alpha) alone nearly releases the roller.
+        The interval is too wide if tan(alpha) is near mu: the torque alone nearly causes slip.
         """
         return self._sharp(lambda tan: math.sqrt((self.mu / tan) ** 2 - 1))
 
@@ -62,7 +62,7 @@ class FrictionBounds:
         return self._sharp(lambda tan: 1 / math.sqrt((self.mu / tan) ** 2 - 1))
 
     def _wider(self, interval: Interval) -> Interval:
-        """`interval` with the effect of tangential forces on the angle added."""
+        """Return `interval`, widened by the effect of tangential forces on the angle."""
         return interval[0] - self.rest, interval[1] + self.rest
 
     def _sharp(self, of: Callable[[float], float]) -> Interval | None:
@@ -73,7 +73,7 @@ class FrictionBounds:
 def limit_load(star: StarBounds, mu: float) -> Interval | None:
     """Interval of the error of the axial load F_ax at which a path reaches the friction limit.
 
-    It follows from the possible error of tan(alpha) of one contact.
+    The interval follows from the possible error of tan(alpha) of one contact.
     """
     return at_limit(lambda tan: math.sqrt((mu / tan) ** 2 - 1), math.tan(star.at.alpha),
                     star.slope(tilted=True), mu)  # fmt: skip
@@ -82,7 +82,7 @@ def limit_load(star: StarBounds, mu: float) -> Interval | None:
 def at_limit(
     of: Callable[[float], float], value: float, slope: Interval, mu: float
 ) -> Interval | None:
-    """Interval of the error of the value of(tan(alpha)), if tan(alpha) has the error `slope`.
+    """Interval of the error of `of(tan(alpha))`, if `tan(alpha)` has the error `slope`.
 
     None if tan(alpha) may reach mu, so that the torque alone would expel the rollers.
 

@@ -1,4 +1,4 @@
-"""Intervals of formula/reference - 1 for every freewheel; wind-up and tilt of loaded parts."""
+"""Intervals of errors (formula/reference - 1) of all freewheels; wind-up and tilt of bodies."""
 
 import math
 
@@ -25,8 +25,9 @@ def of_contact(parts: FreewheelParts, at: Loaded) -> Interval:
 def of_round_bodies(parts: FreewheelParts, at: Loaded) -> float:
     """Bound of the relative error of an approach of round bodies.
 
-    Hertz's error is of the order (a/r)². The loads of a roller are off its diameter by psi, and the
-    roller causes half of an approach.
+    Hertz's error is of the order (a/r)². The other error is of the order psi²: the two contact
+    forces of a roller are not on one diameter. Their directions differ from it by the angle psi.
+    The roller causes half of an approach.
     """
     return max(_wide(parts, at) ** 2 / 2 + at.psi**2 / 16, SMALLEST)
 

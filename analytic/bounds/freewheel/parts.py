@@ -1,6 +1,6 @@
 r"""Input of the error bounds of a roller freewheel: its parts, and its state under one load.
 
-The parts have a second formula for alpha. The centre of the roller is at the distance rho from the
+`FreewheelParts.alpha` is a second formula. The centre of the roller is at the distance rho from the
 axis, and at the distance y from a line through the axis parallel to the flat: cos(2 alpha) = y/rho,
 so that
 
@@ -23,8 +23,8 @@ class FreewheelParts:
     """Rollers between flats and a round race, all parts of one material [length, stress].
 
     `sense` is +1 for a star with flats in a ring, whose angle increases under load, and -1 for a
-    cup with flats around a shaft. `r_b` is the bore of the inner part, `R_a` the rim of the outer
-    part.
+    cup with flats around a shaft. `r_b` is the bore radius of the inner part, `R_a` the rim radius
+    of the outer part.
     """
 
     sense: int
@@ -75,7 +75,7 @@ class FreewheelParts:
         return np.asarray(rho * np.sin(psi)), np.asarray(rho * np.cos(psi))
 
     def arc(self, *, d_i: ArrayLike, d_o: ArrayLike) -> Array:
-        """Arc [length] by which the roller's centre moves relative to the cam from no load."""
+        """Arc [length] of the roller centre's motion around the cam, from the unloaded state."""
         turned = 2 * (self.alpha(d_i=d_i, d_o=d_o) - self.alpha(d_i=0.0, d_o=0.0))
         return np.asarray(self.sense * self.distance(d_i=d_i, d_o=d_o) * turned)
 
@@ -106,7 +106,8 @@ Parts = FreewheelParts  # its name in version 0.1
 class Loaded:
     """State of a freewheel, as input of bounds [force, force x length, rad, length].
 
-    It contains `N` of one contact, `T` of the clutch, clamping angle, approaches and half-widths.
+    `N` is the normal force of one contact, `T` the torque of the clutch, `alpha` the clamping
+    angle. d are approaches, a half-widths.
     """
 
     N: float
@@ -119,7 +120,7 @@ class Loaded:
 
     @property
     def psi(self) -> float:
-        """Angle psi = 2 alpha [rad] between the centre of the roller and the normal of the flat."""
+        """Angle psi = 2 alpha [rad] between the flat's normal and the radius to the roller."""
         return 2 * self.alpha
 
 

@@ -14,7 +14,7 @@ body without another wall, C_m is
 .. math:: C_m^\infty = \frac{b}{m - 1} + \frac{2 - b}{m + 1}, \qquad
           b = \frac{1 + \nu}{2} \text{ of a disc}, \quad \frac{3 - \nu}{2} \text{ around a hole}.
 
-Under n loads P, the deflection of the wall is P/(pi E') (2 ln(r/a) + k + ...), m = n, 2n, ..., with
+Under n loads P, the deflection of the wall is P/(pi E') (2 ln(r/a) + k + ...). With m = n, 2n, ...,
 
 .. math:: k = 2\ln\frac{2}{n} + 1 + \frac{n C_0}{2} + n\sum_m (C_m - C_m^\infty)
           - b\,h(-\tfrac 1n) - (2 - b)\,h(\tfrac 1n), \qquad h(x) = \psi(1 + x) - \psi(1),
@@ -42,7 +42,7 @@ COUPLED = 16.0  # m ln(ratio) above which no wave reaches the other wall, exp(-2
 
 @cache
 def clamped_disc(*, ratio: float, n: int, nu: float) -> float:
-    """Constant k of a disc under n loads on its rim, clamped on a bore r_o/`ratio`.
+    """Constant k of a disc under n loads on its rim r_o; the bore r_o/`ratio` is clamped.
 
     >>> shallow, deep = (clamped_disc(ratio=s, n=8, nu=0.4) for s in (1.2, 3.0))
     >>> shallow < deep  # less material deflects less

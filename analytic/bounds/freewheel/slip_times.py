@@ -1,7 +1,7 @@
 """Time at which a load path reaches the capacity of a clutch, by a second formulation.
 
-It verifies the times of slip that follow from `load_path` and the criterion. It uses only the
-definitions of the load paths of the test rig (Nagler, Lohrengel, Sec. 6):
+This module verifies the times of slip that `load_path` and the slip criterion give. It uses only
+the definitions of the load paths of the test rig (Nagler, Lohrengel, Sec. 6):
 
 1. the torque increases to T within `rise`, then the axial load increases linearly to F_ax at
    `duration`;
@@ -70,7 +70,7 @@ class Rig:
         return self._first(asks, 0.0)
 
     def _first(self, beyond: Callable[[float], float], start: float) -> float:
-        """First root [s] of `beyond` after which it is positive."""
+        """First time [s] after which `beyond` is positive; infinite if it is never positive."""
         cycles = self.f * (self.duration - start) * (1 - ROUND_OFF)
         times = np.linspace(start, self.duration, 1 + math.ceil(FINE * cycles))
         above = np.flatnonzero([beyond(float(t)) > 0 for t in times])

@@ -1,12 +1,12 @@
-"""Expected errors of the formulas of a star, from its dimensions and from two simpler bodies.
+"""Expected errors of the formulas of a star, from its dimensions and from three simpler bodies.
 
-The approach of the star lies between the approach of a layer and the approach of two discs
-(`star_bracket`). The torque
-also causes a wind-up of the star on its bore, by which the flat under the roller moves inwards. All
-other values follow from the approaches. Hertz's parabolas on half planes cause errors of the order
-of (a/r)². Surfaces tilt under N like a half plane at the depth of the wall. Tangential forces
-deform the contacts and rotate the ring further by the fraction tan² alpha times the ratio of
-tangential to normal compliance, which is slightly below 1.
+The approach of the star lies between the smallest and the largest of the approaches of a layer and
+of two discs (`star_bracket`). The torque also causes a wind-up of the star on its bore, by which
+the flat under the roller moves inwards. All other values follow from the approaches. Hertz's
+parabolas on half planes cause errors of the order of (a/r)². Under N, surfaces tilt as a half plane
+tilts at a depth equal to the wall thickness. Tangential forces deform the contacts. Thereby, they
+increase the rotation of the ring by the fraction tan² alpha times the ratio of tangential to normal
+compliance; this ratio is slightly below 1.
 """
 
 import math
@@ -33,7 +33,7 @@ STEEPER = 1.15  # d ln(N)/d ln(approach) at most
 
 
 class StarBounds:
-    """Intervals of the errors formula/reference - 1 in one state, from bounds of deflections."""
+    """Intervals of the errors (formula/reference - 1) in one state, from bounds of approaches."""
 
     def __init__(self, star: FreewheelParts, at: Loaded) -> None:
         self.star, self.at = star, at
@@ -68,7 +68,7 @@ class StarBounds:
     def unloaded_as_printed(self) -> Interval:
         """Interval of the error of alpha by Eq. 4 with r in place of R in the numerator.
 
-        It is evaluated by cos 2a = 2 cos² a - 1.
+        The angle is evaluated by cos 2a = 2 cos² a - 1.
         """
         s = self.star
         return self._instead(math.acos((s.r + s.flat) / (s.race - s.r) - 1) / 2)
@@ -76,7 +76,7 @@ class StarBounds:
     def as_printed(self) -> Interval:
         """Interval of the error of alpha by Eq. 5 with the signs of its denominator reversed.
 
-        It is evaluated by the formula for half the angle of a cosine.
+        The angle is evaluated by the half-angle formula, tan² a = (1 - cos 2a)/(1 + cos 2a).
         """
         s, d = self.star, self.own
         cos = (s.flat - d["d_i"] + s.r) / (s.race - d["d_o"] + s.r)
@@ -91,7 +91,7 @@ class StarBounds:
         return self._of(lambda **d: float(self.star.arc(**d)))
 
     def slope(self, *, tilted: bool = False) -> Interval:
-        """Interval of the error of tan(alpha) as the mean F_t/N of both contacts.
+        """Interval of the error of tan(alpha) as a formula for the mean F_t/N of both contacts.
 
         If `tilted`, the reference is F_t/N at one contact.
         """

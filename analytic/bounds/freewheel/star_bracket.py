@@ -8,11 +8,11 @@ deflection of its surface is 2 K(q h)/(E' q) times the pressure,
 .. math:: K(t) = \frac{2\kappa\sinh 2t - 4t}{2\kappa\cosh 2t + 4t^2 + 1 + \kappa^2},
           \qquad \kappa = 3 - 4\nu .
 
-Second body: the disc through the corners, clamped on the same bore, with the radius X/cos(pi/z), or
-R if the ring is nearer. It is thicker than the star below each contact and too compliant for stars
-with thin walls. Third body: the disc of radius X, which is inside the star. With few corners or
-thick walls, the order of the three approaches is different. The approach of the star is expected
-between the smallest and the largest of them.
+Second body: the disc through the corners, clamped on the same bore. Its radius is X/cos(pi/z), but
+at most the radius R of the ring. The disc is thicker than the star below each contact and too
+compliant for stars with thin walls. Third body: the disc of radius X, which is inside the star.
+With few corners or thick walls, the order of the three approaches is different. The approach of the
+star is expected between the smallest and the largest of the three.
 
 References
 ----------

@@ -1,4 +1,4 @@
-"""Expected error of dalpha/dX: how a loaded clamping angle depends on the position of the flats."""
+"""Expected error of dalpha/dX: sensitivity of a loaded clamping angle to the flats' position."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -47,7 +47,7 @@ def turned(
 
 
 def of_turn(ends: Sequence[Moved], bounds: StarBounds, *, off: float, F_t: float) -> Interval:
-    """Interval of the error of dalpha/dX at F_t; the approaches lie within the bounds of `bounds`.
+    """Interval of the error of dalpha/dX at F_t, if the approaches lie within their `bounds`.
 
     The flats of `ends` are displaced by -`off` and `off` [length].
     """

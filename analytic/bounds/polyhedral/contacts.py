@@ -52,12 +52,12 @@ class RollerOnRing:
         return 1 / (1 / (self.d / 2) + 1 / (self.d_e / 2))
 
     def reach(self, a: float, a_race: float = 0.0) -> float:
-        """Relative tolerance of forces by the series; half-widths [m] a (ring), a_race (race)."""
+        """Relative tolerance of forces by the series; half-width [m] a on ring, a_race on race."""
         beside = (2 * a / self.d) ** 2 + (2 * a_race / self.d) ** 2
         return beside + (a / self.wall) ** 2 + BLUNT
 
     def closure(self, a: float, a_race: float) -> float:
-        """Relative tolerance of an approach by the series; half-widths [m] a (ring), a_race."""
+        """Relative tolerance of approaches by the series; half-width a on ring, a_race on race."""
         ends = a**2 + a_race**2
         return 4 * ends / self.d**2 + (a / self.wall) ** 2 + BLUNT
 
@@ -89,7 +89,7 @@ class RollerOnRing:
         return self.relative_radius * (R_b * e / 2) / (self.E * self.wall**3 / 12) / 2
 
     def fillet_blur(self, rollers: float, a: float) -> float:
-        """Relative uncertainty of the largest fillet stress; rollers cause the part `rollers`."""
+        """Relative uncertainty of the largest fillet stress; fraction `rollers` due to rollers."""
         return (PEAK_STRESS + rollers * self.reach(a)) / 2
 
     def coupled(self, a: float, *, R_2: float, E_1: float, E_2: float) -> float:
@@ -112,7 +112,7 @@ def about(m: float, slack: float) -> Interval:
 
 
 def over_series(value: float, series: float, slack: float) -> Interval:
-    """Interval of the error of `value`, if `series` differs from the reference by up to `slack`.
+    """Interval of the error of `value`, if `series` has a relative error of at most `slack`.
 
     >>> [round(m, 6) for m in over_series(3.0, 2.0, 0.01)]
     [0.485, 0.515]

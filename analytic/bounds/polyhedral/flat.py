@@ -17,9 +17,9 @@ Array = NDArray[np.float64]
 class FlatParts:
     """Dimensions and friction of the parts that load the z flats of a ring; SI units, rad.
 
-    d_i is the diameter through the corners, `apothem` the distance of the flats, b the width, D_i
-    the diameter of the race. mu is the friction of the rollers, alpha their wedge angle (or None).
-    The hub acts at e from mid-flat with the friction angle phi_1.
+    d_i is the diameter through the corners, `apothem` the distance of the flats from the axis, b
+    the width, D_i the diameter of the race. mu is the friction of the rollers, alpha their wedge
+    angle (or None). The hub acts at the distance e from mid-flat with the friction angle phi_1.
     """
 
     z: int
@@ -88,9 +88,9 @@ def filleted(parts: FlatParts, touching: float) -> Flat:
 def first_design(parts: FlatParts, *, d_m: float, wall: float, j_D: float, E: float) -> Flat:
     """Flat of the first design: sharp corners, hub at the radius d_i/2, K = 1.
 
-    The hub force is projected on the radius through its contact. The touching pressure is that of a
-    thin round ring of mean diameter d_m that closes the clearance j_D: wall times hoop stress over
-    d_i/2.
+    The hub force is projected on the radius through its contact. The flat touches the rollers at
+    the pressure at which a thin round ring of mean diameter d_m closes the clearance j_D. This
+    pressure is wall times hoop stress over d_i/2.
     """
     psi = np.arctan2(parts.e, parts.d_i / 2 * np.cos(np.pi / parts.z))
     outward = np.array([np.cos(psi), np.sin(psi)])

@@ -1,10 +1,10 @@
 r"""Expected error of the thin ring under pressure (Belcin et al., Eqs. 8-10) against Lamé's ring.
 
-In plane stress, Lamé's pressure that closes the clearance outside is d_m²/(d_i d_e) times p_1. The
-mean hoop stress has the same relative error as p_1 at every pressure. The free rim has the strain
-j_D/d_e. The stress of the bore is the largest one, ((d_e/d_i)² + 1)/2 times that of the rim. The
-stresses of finite elements are those at the ends of cells, which cover a larger range of ln r in
-thick walls.
+In plane stress, Lamé's pressure that closes the clearance at the rim is d_m²/(d_i d_e) times p_1.
+The mean hoop stress has the same relative error as p_1 at every pressure. The free rim has the
+strain j_D/d_e. The stress at the bore is the largest one, ((d_e/d_i)² + 1)/2 times the stress at
+the rim. The stresses of finite elements are evaluated at the ends of cells. In thick walls, a cell
+covers a larger range of ln r.
 
 Errors are formula/true - 1, for the outer diameter d_e and the thickness `wall`.
 """
@@ -36,8 +36,8 @@ def bore_stress_error(*, d_e: float, wall: float) -> Interval:
     """Interval of the error of sigma_t as the hoop stress in the bore.
 
     The true stress is E j_D (d_e² + d_i²)/(2 d_i² d_e). The fraction of the stress that varies as
-    1/r² is 1/2 at the rim and R²/(1 + R²) in the bore, with R = d_e/d_i. In this proportion, the
-    stress at the ends of cells is less accurate in the bore.
+    1/r² is 1/2 at the rim and R²/(1 + R²) in the bore, with R = d_e/d_i. The error of the stress at
+    the ends of cells is proportional to this fraction.
 
     >>> low, high = bore_stress_error(d_e=2.0, wall=0.5)  # 8/15
     >>> round((low + high) / 2, 12)
@@ -50,7 +50,7 @@ def bore_stress_error(*, d_e: float, wall: float) -> Interval:
 
 
 def growth_error(*, d_e: float, wall: float, j_D: float, E: float, nu: float) -> Interval:
-    """Interval of the error of j_D as growth of the mean diameter; the rim grows by j_D."""
+    """Interval of the error of j_D as growth of the mean diameter; j_D is the growth of the rim."""
     d_i = d_e - 2 * wall
     p_1 = (d_e - d_i) * (E * j_D / ((d_i + d_e) / 2)) / d_i
     grown = 2 * float(lame.radial_displacement(

@@ -31,8 +31,9 @@ def leading(nu: float) -> Interval:
 def around(formula: float, corrected: float, left_out: float, nu: float) -> Interval:
     """Interval of the error of an entry of K against a reference whose forces act along the struts.
 
-    `left_out` is the effect of tilting forces on the `corrected` entry. Parts that are common to
-    both entries cancel; therefore, errors of these parts do not change the interval.
+    `left_out` is the effect of tilting forces, which the entry `corrected` contains and the
+    reference does not. Terms that are common to `formula` and `corrected` cancel; therefore, errors
+    of these terms do not change the interval.
 
     >>> low, high = around(1.0, 1.01, 0.0, 0.1)
     >>> round((low + high) / 2, 6)
@@ -46,9 +47,9 @@ def around(formula: float, corrected: float, left_out: float, nu: float) -> Inte
 def first_order(nu: float, eps: float, Z: int) -> Interval | None:
     """Interval of the error of a coupling of first order in eps = dx/delta_0, for Z sprags.
 
-    The error contains the next term of the sum over cos psi and the deflection that the constant
-    torque recovers, without squares of eps^2. None if eps is too large for a first-order term, or
-    if Z < 5, so that the fourth powers do not add up to 3/8 Z.
+    The error contains the next term of the sum over cos psi, and the change of the mean deflection
+    at constant torque. Both are proportional to eps^2; terms of order eps^4 are in the tolerance.
+    None if eps is too large for the series, or if Z < 5, as the sum of cos^4 psi is then not 3/8 Z.
 
     >>> first_order(0.05, 0.5, 12), first_order(0.05, 0.1, 4)
     (None, None)

@@ -1,9 +1,9 @@
-"""Expected errors of the couplings of a tilted clutch; the couplings by a second calculation.
+"""Expected errors of the couplings of a tilted clutch; second calculation of the couplings.
 
 The first sprag of the clutch is at half a pitch. The deflection of slice k of sprag j is
 d_jk = (dx + x_k gamma) cos psi_j + R_i tan nu g; its force is proportional to the power 10/9 of
-d_jk. The twist g follows from T. The couplings are sums of the slope times -x_k sin^2 psi_j and x_k
-cos^2 psi_j.
+d_jk. The twist g follows from T. One coupling is the sum of the slope of this force times
+-x_k sin^2 psi_j, the other the sum of the slope times x_k cos^2 psi_j.
 """
 
 import math
@@ -27,8 +27,8 @@ def summed(
 ) -> dict[Entry, float]:
     """Couplings [N]: force along y per tilt about x, and force along x per tilt about y.
 
-    The offset dx [m] is along x, the tilt [rad] about y, the torque is T [N m]. Only the dimensions
-    of `clutch` are used, divided into `n_s` slices, without a crown.
+    The offset dx [m] is along x, the tilt [rad] about y, the torque is T [N m]. The sprags have
+    `n_s` slices without a crown; only the dimensions of `clutch` are used.
     """
     Z, k_n = clutch.Z, clutch.k_n
     psi = 2 * math.pi * (np.arange(Z) + 0.5)[:, None] / Z

@@ -1,8 +1,8 @@
 """Expected errors of formulas of an engagement against time integration of the motion.
 
-In Eqs. 14-16, N_e = N_i, but for a strut under two forces, N_e/N_i = cos(omega)/cos(nu). At the
-same rotation, time integration has the same N, and a torque that is smaller by a fraction between
-0 and N_e/N_i - 1.
+In Eqs. 14-16, N_e = N_i, but for a strut under two forces, N_e/N_i = cos(omega)/cos(nu). At a given
+rotation, time integration gives the same N as the formulas; its torque is smaller than theirs by a
+fraction between 0 and N_e/N_i - 1.
 """
 
 from dataclasses import dataclass
@@ -18,10 +18,10 @@ PART = 0.1  # relative to the centroid's outward travel, from the trapezia of 40
 class Bounds:
     """Intervals of the errors, from the terms in which formulas and time integration differ.
 
-    All fields are relative. `unequal` is N_e/N_i - 1, `passed_on` the relative change of the peak
-    of N per change of torque, `inertia` the ratio of the inertia of sprags and race, `left_out` the
-    relative work of the outward motion of the centroid. If races rotate at the start (`turns`),
-    contacts slide first.
+    All numbers are relative. `unequal` is N_e/N_i - 1, `passed_on` the relative change of the peak
+    of N per relative change of torque, `inertia` the ratio of the inertia of the sprags to that of
+    the race, `left_out` the relative work of the outward motion of the centroid. If `turns`, races
+    rotate at the start, and contacts slide first.
     """
 
     unequal: float

@@ -39,7 +39,7 @@ SLOPES = 5e-3  # relative to the ratio of the rotations per deflection of both s
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Bounds:
-    """Intervals of formula/FE - 1 at a normal force N [N].
+    """Intervals of the errors (formula/finite elements - 1) at a normal force N [N].
 
     `at` is the state at N, `a` are the half-widths [m] of both contacts, `column` is the sprag
     between its flanks (None if it has no flanks). `meshes` is the error of angles by the meshes.
@@ -116,7 +116,7 @@ class Bounds:
     def askew(self) -> float:
         """Relative error of the deflections due to the lateral motion of the sprag ends.
 
-        It is the work of the tangential forces on this motion.
+        The error is the work of the tangential forces on this motion, relative to that of N.
         """
         at, (u_i, u_e) = self.at, self.ends.moved
         sideways = abs(u_i * math.tan(float(at.nu))) + abs(u_e * math.tan(float(at.omega)))
@@ -153,7 +153,7 @@ class Bounds:
         return (q.R_i - q.R_id, a_i) if which == "i" else (q.R_ed - q.R_e, a_e)
 
     def race(self, which: str) -> Interval:
-        """Interval of the error of the deflection of a race in the middle of a patch."""
+        """Interval of the error of the deflection of a race in the middle of the contact patch."""
         wall, a = self.in_wall(which)
         size = SHARP + (a / wall) ** 2
         return -size, size
@@ -206,7 +206,10 @@ class Bounds:
 
     @cached_property
     def ends(self) -> Ends:
-        """Displacements and rotations of the sprag ends; raises ValueError beyond the flanks."""
+        """Displacements and rotations of the sprag ends.
+
+        Raises ValueError if a contact is beyond the flanks.
+        """
         moved = self.column and ends(
             self.column, turned=float(self.at.turned), alpha_b=float(self.at.alpha_b), a=self.a,
             nu=self.sizes.nu,

@@ -38,7 +38,11 @@ class Yields(Protocol):
 
 
 class Race(NamedTuple):
-    """Deflections of a race divided by P/E': mean on the circle, at mid-patch, mean on a patch."""
+    """Deflections of a race, in units of P/E'.
+
+    `mean` is the mean over the circumference, `at` the value in the middle of a contact patch,
+    `under` the mean over the patch.
+    """
 
     mean: float
     at: float
@@ -47,9 +51,10 @@ class Race(NamedTuple):
 
 @dataclass(frozen=True, kw_only=True)
 class Sizes:
-    """Dimensions [m] of z sprags (width b, length l) and of races from R_id to R_i and R_e to R_ed.
+    """Dimensions [m] of z sprags (width b, length l) and of both races.
 
-    E_plane is E' of plane strain. r_i and r_e [m] are the radii at first contact, nu_0 [rad] is the
+    The inner race has the radii R_id and R_i, the outer race the radii R_e and R_ed. E_plane is E'
+    of plane strain. r_i and r_e [m] are the radii of the sprag at first contact, nu_0 [rad] is the
     wedge angle at first contact.
     """
 

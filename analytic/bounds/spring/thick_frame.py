@@ -1,10 +1,10 @@
 """Correction of the flexibility of a thin frame by plane elasticity, to second order in b/R.
 
 The correction has a closed form. The centre line of the spring is symmetric about the line of the
-force. A leaf of the slope alpha crosses this line in its middle. Arcs about points at the distance
-L1/2 end at their apex, at L1/2 + R. At the angle t from the apex, the lever arm of an arc is
-y = L1/2 + R cos t, and a unit force causes M = y, N = -cos t and V = sin t. On the leaves, N and V
-are cos alpha and sin alpha. In units of 1/(EA), each length adds
+force. The middle of each leaf, of slope alpha, is on this line. The centres of the arcs are at the
+distance L1/2 from the line, their apexes at L1/2 + R. At the angle t from the apex, the lever arm
+of an arc is y = L1/2 + R cos t, and a unit force causes M = y, N = -cos t and V = sin t. On the
+leaves, N and V are cos alpha and sin alpha. In units of 1/(EA), each unit of length adds
 
 - N^2 + 12/5 (1 + nu) V^2: axial force, and shear of a rectangle;
 - on arcs 2/5 (M/R)^2: a curved bar in pure bending is softer by (b/R)^2/30 in Golovin's solution;
