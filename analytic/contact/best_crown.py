@@ -6,8 +6,8 @@ about the half-width b, carries no load. (A contact that ends nearer to the end 
 have a peak pressure that is lower by some per cent. But then, the slightest overload or tilt loads
 the end.)
 Differential evolution searches the admissible crowns for the lowest peak pressure; all contacts of
-a generation are solved at once. K_1, K_2 and z_m are rounded to three digits; z_m is in units of
-:math:`A_1 = W/(\pi l E^*)`, the factor of Lundberg's crown. The optimum is flat: a change of a
+a generation are solved at once. K_1, K_2 and z_m/A_1 are rounded to three digits, with the factor
+:math:`A_1 = W/(\pi l E^*)` of Lundberg's crown. The optimum is flat: a change of a
 parameter by tens of per cent may change the peak pressure by only a tenth of a per cent.
 """
 

@@ -1,9 +1,10 @@
 """Displacements of the cells of a half-space under given pressures; approximate inverse map.
 
 On a grid of equal cells, the influence depends only on the distance between cells. The
-displacements are a convolution, computed by fast Fourier transforms. Zeros double the size of the
-grid, so that the result is not periodic. If the pressures are symmetric about the middle of an even
-number of cells, cosine transforms of one half replace Fourier transforms of the whole.
+displacements are a convolution, computed by fast Fourier transforms. The grid is padded with zeros
+to twice its size, so that the result is not periodic. If the pressures are symmetric about the
+middle of an even number of cells, cosine transforms of one half of the grid replace Fourier
+transforms of the whole grid.
 `scipy.fft.set_workers` sets the number of threads.
 
 References

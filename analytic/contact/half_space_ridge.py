@@ -88,7 +88,7 @@ class Ridge:
         return self.contact.length / 2 - end
 
     def beyond(self, end: float) -> Array:
-        """Pressures at x = 0 of all cells whose centre is outside the end zones of length `end`."""
+        """Pressures at x = 0 along the roller, outside the end zones of length `end`."""
         return np.asarray(self.pressure[np.abs(self.contact.y) <= self.inner(end)])
 
 

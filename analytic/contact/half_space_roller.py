@@ -51,7 +51,7 @@ class RollerContact:
 
     @property
     def half_width(self) -> Array:
-        """Half-width b [length] of the elliptic pressure of the same variance; 0 without load."""
+        """Half-width b [length] of the ellipse with the pressure's variance; 0 without load."""
         p, x = self.contact.pressure, self.contact.x[:, None]
         total = p.sum(axis=0)
         share = p / np.where(total > 0, total, 1.0)

@@ -163,9 +163,9 @@ def interferences_lost(
 ) -> Array:
     """Decrease of interference [length] by p_i and p_o at each interface, shape (walls - 1,).
 
-    It is the gap that p_i and p_o would open between walls without contact pressure. For two walls,
-    it is the interference at which the contact opens. It is negative if p_i and p_o increase the
-    contact pressure.
+    The decrease is the gap that p_i and p_o would open between walls without contact pressure. For
+    two walls, it equals the interference at which the contact opens. It is negative if p_i and p_o
+    increase the contact pressure.
     """
     finite([p_i, p_o], "pressures", "Pa")
     _check_stack(walls)

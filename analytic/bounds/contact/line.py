@@ -1,9 +1,9 @@
 """Errors of Hertz's line contact for a disc between rigid flats.
 
-Each estimate contains the expected signed error of Hertz's value and its tolerance. The error
-follows from the ratio of Hertz's half-width a to the radius R with the coefficients of
-`disc_series` and `shear_series`. The coefficients of the next terms are not known; these terms are
-included in the tolerance with the factor 1. Range: small a/R, no friction, plane strain.
+Each estimate contains the expected signed error of Hertz's value, and the tolerance of this error.
+The coefficients of `disc_series` and `shear_series` give the error from the ratio a/R of Hertz's
+half-width to the radius. The coefficients of the next terms are not known; these terms are included
+in the tolerance with the factor 1. Range: small a/R, no friction, plane strain.
 """
 
 from dataclasses import dataclass

@@ -1,8 +1,8 @@
 """Errors of Hertz's line contact for two elastic bodies of finite size.
 
-Each estimate contains the expected signed error of Hertz's value and its tolerance. The error
-follows from dimensions, materials and Hertz's half-width a with the coefficients of `pair_series`
-and `shear_series`. The coefficients of the next terms are not known; these terms are included in
+Each estimate contains the expected signed error of Hertz's value, and the tolerance of this error.
+The coefficients of `pair_series` and `shear_series` give the error from dimensions, materials and
+Hertz's half-width a. The coefficients of the next terms are not known; these terms are included in
 the tolerance with the factor 1. e is the ratio of a to the smallest dimension. Range: small e, no
 friction, plane strain.
 """
@@ -117,7 +117,7 @@ class InRace(TwoBodies):
 
     @property
     def small(self) -> float:
-        """Sum (a/R)² + (a/wall)²: size of the effects of curvature and fixed rim."""
+        """Size [1] of the effects of curvature and fixed rim: (a/R)² + (a/wall)²."""
         return float((self.a / self.R_1) ** 2 + (self.a / self.wall) ** 2)
 
     @property

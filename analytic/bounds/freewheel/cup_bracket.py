@@ -5,8 +5,8 @@ contained in the ring whose bore touches its flats (radius X_o). Therefore, its 
 lies between the compliances of both rings. In the first ring, the rollers rest on the remaining
 part of the flat, a column in which the load spreads as in a half plane. In units of P/(pi E'), the
 displacement constants are -2 ln(a) + 2 ln 2 + 1 for a Hertz patch and -2 ln(h) + 2 for the
-pressures at the depth h. The shortening of the column is 2 ln(2 h/a) - nu'. Together, the column
-adds 1 - nu' to the constant of the bore.
+pressures at the depth h. The shortening of the column is 2 ln(2 h/a) - nu'. In total, the column
+adds 1 - nu' to the constant k of the first ring.
 """
 
 import math

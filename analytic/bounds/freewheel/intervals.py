@@ -25,9 +25,8 @@ def of_contact(parts: FreewheelParts, at: Loaded) -> Interval:
 def of_round_bodies(parts: FreewheelParts, at: Loaded) -> float:
     """Bound of the relative error of an approach of round bodies.
 
-    Hertz's error is of the order (a/r)². The other error is of the order psi²: the two contact
-    forces of a roller are not on one diameter. Their directions differ from it by the angle psi.
-    The roller causes half of an approach.
+    Hertz's error is of the order (a/r)². A second error is of the order psi²: the contact forces of
+    a roller act at the angle psi to its diameter, and the roller causes half of an approach.
     """
     return max(_wide(parts, at) ** 2 / 2 + at.psi**2 / 16, SMALLEST)
 

@@ -107,7 +107,7 @@ class Loaded:
     """State of a freewheel, as input of bounds [force, force x length, rad, length].
 
     `N` is the normal force of one contact, `T` the torque of the clutch, `alpha` the clamping
-    angle. d are approaches, a half-widths.
+    angle. `d_i` and `d_o` are the approaches, `a_i` and `a_o` the half-widths of the contacts.
     """
 
     N: float

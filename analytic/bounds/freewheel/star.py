@@ -100,7 +100,7 @@ class StarBounds:
         return low - more, high + more
 
     def force(self) -> Interval:
-        """Interval of the error of N at a torque; N is proportional to 1/tan(alpha)."""
+        """Interval of the error of N at a given torque; N is proportional to 1/tan(alpha)."""
         low, high = self.slope(tilted=True)
         return 1 / (1 + high) - 1, 1 / (1 + low) - 1
 

@@ -1,4 +1,4 @@
-r"""Expected errors of Hertz's theory and of the ring's series for rollers on a ring; plane stress.
+r"""Expected errors of Hertz's theory and of the ring's Fourier series, for rollers on a ring.
 
 If the materials of two bodies differ (Dundurs' beta), normal and tangential displacements are
 coupled along the contact line of curvature kappa. To first order, the half-width increases by the
@@ -6,7 +6,7 @@ fraction 64/(45 pi) beta kappa a, and the pressure in the middle decreases by th
 1/3)/pi beta kappa a, with Catalan's constant G. The tolerance is an estimate: (2 a/d)² for the
 curvatures, (a/wall)², and 1e-3, each with the factor 1.
 
-Errors are formula/true - 1.
+Errors are formula/true value - 1. All bodies are in plane stress.
 
 References
 ----------
@@ -52,12 +52,12 @@ class RollerOnRing:
         return 1 / (1 / (self.d / 2) + 1 / (self.d_e / 2))
 
     def reach(self, a: float, a_race: float = 0.0) -> float:
-        """Relative tolerance of forces by the series; half-width [m] a on ring, a_race on race."""
+        """Relative tolerance of forces by the series; half-widths [m] a (ring), a_race (race)."""
         beside = (2 * a / self.d) ** 2 + (2 * a_race / self.d) ** 2
         return beside + (a / self.wall) ** 2 + BLUNT
 
     def closure(self, a: float, a_race: float) -> float:
-        """Relative tolerance of approaches by the series; half-width a on ring, a_race on race."""
+        """Relative tolerance of approaches by the series; half-widths [m] a (ring), a_race (race)."""
         ends = a**2 + a_race**2
         return 4 * ends / self.d**2 + (a / self.wall) ** 2 + BLUNT
 
@@ -89,7 +89,7 @@ class RollerOnRing:
         return self.relative_radius * (R_b * e / 2) / (self.E * self.wall**3 / 12) / 2
 
     def fillet_blur(self, rollers: float, a: float) -> float:
-        """Relative uncertainty of the largest fillet stress; fraction `rollers` due to rollers."""
+        """Relative uncertainty of the largest fillet stress; `rollers`: fraction due to rollers."""
         return (PEAK_STRESS + rollers * self.reach(a)) / 2
 
     def coupled(self, a: float, *, R_2: float, E_1: float, E_2: float) -> float:

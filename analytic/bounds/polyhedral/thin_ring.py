@@ -1,12 +1,12 @@
-r"""Expected error of the thin ring under pressure (Belcin et al., Eqs. 8-10) against Lamé's ring.
+r"""Expected errors of thin-ring formulas (Belcin et al., Eqs. 8-10) against Lamé's formulas.
 
 In plane stress, Lamé's pressure that closes the clearance at the rim is d_m²/(d_i d_e) times p_1.
 The mean hoop stress has the same relative error as p_1 at every pressure. The free rim has the
 strain j_D/d_e. The stress at the bore is the largest one, ((d_e/d_i)² + 1)/2 times the stress at
-the rim. The stresses of finite elements are evaluated at the ends of cells. In thick walls, a cell
-covers a larger range of ln r.
+the rim. The stresses of finite elements are evaluated at the ends of cells. They are less accurate
+in thick walls, where a cell covers a larger range of ln r.
 
-Errors are formula/true - 1, for the outer diameter d_e and the thickness `wall`.
+Errors are formula/true value - 1. d_e is the outer diameter, `wall` the thickness of the ring.
 """
 
 from analytic.bounds.polyhedral.contacts import Interval, about

@@ -2,7 +2,7 @@
 
 The ratio of tangential to normal force of a free roller is tan(alpha/2) instead of mu. As this
 follows from equilibrium, the error of finite elements is nearly zero on every mesh. Errors are
-formula/true - 1.
+formula/true value - 1.
 """
 
 from math import tan

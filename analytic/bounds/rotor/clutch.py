@@ -64,10 +64,11 @@ def first_order(nu: float, eps: float, Z: int) -> Interval | None:
 
 
 def held_ends(nu: float, delta_0: float, length: float) -> Interval:
-    """Interval of the error of K_xx for struts of `length` [m], fixed to both races.
+    """Interval of the error of K_xx for struts of `length` [m] that are pinned to both races.
 
     The struts deflect by `delta_0` [m]. Their compressive forces Q rotate with them, which reduces
-    the stiffness by Q/length. The square of the sum of both terms is the tolerance.
+    the stiffness by Q/length. The error is this term minus tan^2 nu; the tolerance is the square of
+    the sum of both terms.
 
     >>> low, high = held_ends(0.05, 1e-9, 1.0)
     >>> low < leading(0.05)[0] < high

@@ -2,8 +2,8 @@
 
 The first sprag of the clutch is at half a pitch. The deflection of slice k of sprag j is
 d_jk = (dx + x_k gamma) cos psi_j + R_i tan nu g; its force is proportional to the power 10/9 of
-d_jk. The twist g follows from T. One coupling is the sum of the slope of this force times
--x_k sin^2 psi_j, the other the sum of the slope times x_k cos^2 psi_j.
+d_jk, with the slope s_jk. The twist g follows from T. One coupling is the sum of
+-s_jk x_k sin^2 psi_j, the other the sum of s_jk x_k cos^2 psi_j.
 """
 
 import math

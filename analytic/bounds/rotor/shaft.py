@@ -13,9 +13,9 @@ SMALL = 0.3  # of rotary inertia and shear, up to which their series is used
 
 
 def shear_coefficient(nu: float, m: float) -> float:
-    """Hutchinson's shear coefficient kappa [1] as printed; m is the ratio of bore to diameter.
+    """Hutchinson's shear coefficient kappa [1] as printed; m is bore over outer diameter.
 
-    It is his Eq. 45 with a = 1 and b = m; 0 <= m < 1.
+    The equation is his Eq. 45 with a = 1 and b = m; 0 <= m < 1.
 
     >>> round(shear_coefficient(nu=0.5, m=0.0), 6)  # 13.5/14
     0.964286

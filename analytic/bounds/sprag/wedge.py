@@ -1,14 +1,14 @@
-r"""Expected errors of the formulas of a sprag clutch, from dimensions and second models.
+r"""Expected errors of the formulas of a sprag clutch, from dimensions and independent models.
 
 The formulas neglect the change of the force angles by the motion of the ends of the column and of
-the races under tangential forces. `analytic.sprag.bending` gives this change. Its uncertainty is a
-quarter of the sum of all its parts, plus beta²/2 of the triangle. The tangential compliance of a
-race is 0.4 to 1.2 times the compliance of its local indentation. The elastic deflections neglect
-three effects: (a/r)² of a contact, the fraction tan²(nu)/2 by which an inclined force is larger
-than N, and the difference of the outer force N_e from N. Hertz's theory replaces an arc by a
-parabola, with an error of (a/r)²/4 of the gap, and assumes parallel normals, with an error of
-(a/r)²/2, for both bodies. The difference of a wall or a column from a half-space is of the order
-(a/h)².
+the races under tangential forces. `analytic.sprag.bending` gives this change. The uncertainty of
+the change is a quarter of the sum of the absolute values of its parts, plus beta²/2 with the angle
+beta between both contacts. The tangential compliance of a race is 0.4 to 1.2 times the compliance
+of its local indentation. The formulas of the elastic deflections neglect three effects: (a/r)² of a
+contact, the fraction tan²(nu)/2 by which an inclined force is larger than N, and the difference of
+the outer force N_e from N. Hertz's theory replaces an arc by a parabola, with an error of (a/r)²/4
+of the gap, and assumes parallel normals, with an error of (a/r)²/2, for both bodies. The difference
+of a wall or a column from a half-space is of the order (a/h)².
 """
 
 import math
@@ -42,7 +42,8 @@ class Bounds:
     """Intervals of the errors (formula/finite elements - 1) at a normal force N [N].
 
     `at` is the state at N, `a` are the half-widths [m] of both contacts, `column` is the sprag
-    between its flanks (None if it has no flanks). `meshes` is the error of angles by the meshes.
+    between its flanks (None if it has no flanks). `meshes` is the relative error of angles that is
+    caused by the meshes.
     """
 
     sizes: Sizes
@@ -55,7 +56,7 @@ class Bounds:
 
     @property
     def wide(self) -> float:
-        """Value (a/r)² of the wider contact."""
+        """Larger one of the values (a/r)² [1] of the two contacts."""
         q, (a_i, a_e) = self.sizes, self.a
         return max(a_i / min(q.r_i, q.R_i), a_e / q.r_e) ** 2
 
@@ -98,12 +99,12 @@ class Bounds:
         return low - lever, high + lever
 
     def force(self) -> Interval:
-        """Interval of the error of N at a torque."""
+        """Interval of the error of N at a given torque."""
         low, high = self.torque()
         return 1 / (1 + high) - 1, 1 / (1 + low) - 1
 
     def excess(self) -> Interval:
-        """Interval of the error of N_e/N_i - 1, proportional to the square of both angles."""
+        """Interval of the error of N_e/N_i - 1, a value proportional to the squares of angles."""
         low, high = self.angle()
         return 2 * low, 2 * high
 
