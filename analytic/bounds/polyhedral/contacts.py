@@ -57,7 +57,7 @@ class RollerOnRing:
         return beside + (a / self.wall) ** 2 + BLUNT
 
     def closure(self, a: float, a_race: float) -> float:
-        """Relative tolerance of approaches by the series; half-widths [m] a (ring), a_race (race)."""
+        """Relative tolerance of approaches by the series; half-widths [m] a (ring), a_race."""
         ends = a**2 + a_race**2
         return 4 * ends / self.d**2 + (a / self.wall) ** 2 + BLUNT
 
