@@ -13,10 +13,11 @@ half space with the chord d, its second term is a logarithm. Near the force,
           + \frac{\text{const}}{R}\right],
           \qquad \lambda = \frac{(1-2\nu)^2}{2(1-\nu)}, \quad E' = \frac{E}{1-\nu^2}.
 
-The angle between the surface and the direction of the force also adds a constant. A force at x'
-acts at x by (x - x') . x' through its tangential component, and by -(x - x') . x through the tilt
-of the displaced surface. The logarithmic part of the displacements changes the effective shape of
-the contact of the half spaces. Galin's integrals give the solution in closed form. With
+The angle between the surface and the direction of the force also adds a constant. The displacement
+at x by a force at x' contains, with the same factor, (x - x') . x'/d² from the tangential component
+of the force, and -(x - x') . x/d² from the tilt of the displaced surface; their sum is -1. The
+logarithmic part of the displacements changes the effective shape of the contact of the half spaces.
+Galin's integrals give the solution in closed form. With
 :math:`\varepsilon = a \sum \lambda_i E^*/(E_i' R_i)`
 
 .. math::
@@ -26,7 +27,8 @@ the contact of the half spaces. Galin's integrals give the solution in closed fo
 
 Thus, under the same load, a exceeds Hertz's value by the fraction :math:`\varepsilon/2\pi`, and p_0
 is lower by the fraction :math:`\pi\varepsilon/8`. The neglected terms are of the order (a/R_i)²
-with factors below 1 (the term of fourth power of the circle alone: 2/5 of P).
+with factors below 1. For example, the fourth-power term of a circular profile changes P by the
+fraction 2/5 (a/R)².
 
 References
 ----------
@@ -78,9 +80,9 @@ class Sphere:
     def sinking(self, a: float) -> float:
         """Displacement per load [length/force] of a sphere, minus that of a half-space.
 
-        The load is an elliptic pressure. The displacement is that of the middle of the contact
-        against the plane of symmetry half-way to the opposite contact, without the effect of the
-        tilt of the surface.
+        The load is Hertz's pressure on a contact of radius a. The displacement is that of the
+        middle of the contact relative to the plane of symmetry half-way to the opposite contact,
+        without the effect of the tilt of the surface.
         """
         if np.isinf(self.R):
             return 0.0
@@ -147,7 +149,9 @@ def pressed_spheres(one: Sphere, other: Sphere, *, P: float) -> PressedSpheres:
 
 
 def load_excess(one: Sphere, other: Sphere, *, P: float) -> float:
-    """Value Q/P - 1, if the load Q on finite spheres causes Hertz's approach under P [force].
+    """Relative excess Q/P - 1 of a load Q over P [force].
+
+    Under Q, the approach of the finite spheres equals Hertz's approach under P.
 
     >>> ball, flat = Sphere(R=1.0, E=0.75, nu=0.0), Sphere(R=np.inf, E=np.inf, nu=0)
     >>> excess = load_excess(ball, flat, P=4e-6 / 3)
@@ -168,10 +172,10 @@ def load_excess(one: Sphere, other: Sphere, *, P: float) -> float:
 def _rest(nu: float) -> float:
     """Displacement at the pole by two opposite unit forces, less 4(1 - nu) R/d and the logarithm.
 
-    It is twice the sum of the even terms of the series, in units of 1/(8 pi mu R), less the first
-    two orders of these terms. The contributions of these two orders from the opposite force are
-    sums of (-1)^n and (-1)^n/n. Partial fractions of (2n + 1) c_n express the remainder by digamma
-    functions.
+    The unit is 1/(8 pi mu R). The even terms of the series count twice, the odd terms cancel. The
+    subtracted parts are the first two orders in 1/n of the terms of the near force. The same two
+    orders of the opposite force are included as the sums of (-1)^n and (-1)^n/n. The remainder is
+    computed by digamma functions, from the partial fractions of (2n + 1) c_n.
     """
     two = 2 * (1 - 2 * nu) ** 2
     root = -(1 + 2 * nu) / 2 + 1j * np.sqrt(0.75 - nu**2)

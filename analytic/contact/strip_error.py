@@ -2,18 +2,17 @@ r"""Error of the model `strips` for a line contact whose load q(y) varies along 
 
 The pressure of a strip is assumed to be Hertz's ellipse for the curvature 1/R of the roller. The
 kernel 1/r is expanded for slow variation along y. Its first term is the logarithm that gives this
-ellipse. The next term is quadratic in the distance rho across (K_0 of the wave number k along y, k
-rho small):
+ellipse. The next term is quadratic in the distance rho across. For the wave number k along y and
+small k rho, with the modified Bessel function K_0,
 
 .. math::
     u = \frac{1}{\pi E^*}\int p(\xi, y)\; 2K_0(k\rho)\, d\xi, \qquad
     2K_0(k\rho) = 2\lambda + \frac{k^2\rho^2}{2}\,(\lambda + 1), \qquad
     \lambda = -\gamma - \ln\frac{k\rho}2, \quad k^2 = -\partial_y^2 .
 
-On the middle line x = 0, the strips include this term. Across, with the ellipse's
-:math:`\int p\,d\xi = q` and
-:math:`\int p\ln|x - \xi|\,d\xi = q\,(\ln\frac b2 - \frac12 + x^2/b^2)`, the quadratic term's
-curvature is
+On the middle line x = 0, the strips include this term. For the ellipse, :math:`\int p\,d\xi = q`
+and :math:`\int p\ln|x - \xi|\,d\xi = q\,(\ln\frac b2 - \frac12 + x^2/b^2)`, so that the curvature
+of this term across is
 
 .. math::
     u_2'' = -\frac{1}{\pi E^*}\,\partial_y^2\Big[\Big(-\gamma - \ln\frac k2\Big)q
@@ -21,7 +20,7 @@ curvature is
 
 The last part vanishes, because q/b² is constant along y. The other parts are
 :math:`\frac12(\pi E^* u_0 - q)` with the displacement of the middle line, :math:`u_0 = \delta - z`.
-Thus the pressure is still an ellipse, but for another curvature,
+Thus, the pressure is still an ellipse, but for the curvature 1/R' instead of 1/R,
 
 .. math::
     \frac1{R'} = \frac1R\,(1 + \varepsilon), \qquad
@@ -59,8 +58,9 @@ class Neglected:
     `pressure` (..., n) is NaN if a strip or its neighbour carries no load, and within three
     half-widths of a loaded end; peak and mid are (...). The true deviation should lie between half
     and twice the estimate if the estimate is a few per cent and q varies over several b. If the
-    peak is at a loaded end, `peak` is NaN, because no expansion is valid there. The mid pressure is
-    then at the limit of the stated range, because the loaded end changes its load.
+    peak is at a loaded end, `peak` is NaN, because no expansion is valid there. For `mid`, the true
+    deviation may then be half or twice the estimate, because a loaded end changes the load at
+    mid-length.
     """
 
     pressure: Array
@@ -122,7 +122,10 @@ def discretisation(coarse: Strips, fine: Strips) -> tuple[Array, Array]:
 
 
 def _shift(s: Array, epsilon: Array) -> tuple[Array, Array]:
-    """Changes of s (N, n) at constant sum, and of Delta (N,), as half-widths shrink by epsilon/2.
+    """Changes of s (N, n) at constant sum, and of Delta (N,), for narrower strips.
+
+    s is the dimensionless load, Delta the approach. The half-widths decrease by the fraction
+    epsilon/2.
 
     With u = s Phi(s), a narrower ellipse with the same load changes u by
     -epsilon s² dPhi/ds = -epsilon s (du/ds - u/s).
@@ -137,7 +140,7 @@ def _shift(s: Array, epsilon: Array) -> tuple[Array, Array]:
 
 
 def _narrowing(response: Response, x: Array) -> Array:
-    """Product (du/ds - u/s) x, only of the near bands: distant strips do not depend on b."""
+    """Product (du/ds - u/s) x of the near bands; the effect of b on distant strips is neglected."""
     bands = response.slopes - response.ratios
     out = np.asarray(bands[0] * x)
     for m in range(1, len(bands)):

@@ -107,7 +107,7 @@ def _cubics() -> tuple[Array, ...]:
 
 
 def _slope(log_v: Array) -> Array:
-    """Derivative dF/d(ln v); for large v, where K - E cancels, from the series."""
+    """Derivative dF/d(ln v); for large v, where K - E loses digits, from the series."""
     v = np.exp(np.minimum(log_v, 2.0))
     complement = v**2 / (1 + v**2)  # 1 - m, exact for small v
     near = 2 * v * np.sqrt(1 + v**2) * (ellipkm1(complement) - ellipe(1 - complement))

@@ -2,8 +2,8 @@ r"""Newton's linear systems for many cases of strips: J ds - dDelta = -g on the 
 
 J is the sum of the logarithmic influence of all strips (one matrix for all cases), of bands of near
 strips (which differ between cases) and of a diagonal. `conjugate_gradients` does not form J. It
-treats the bands as symmetric, which is accurate except for the change of half-width from strip to
-strip, and conserves the sum of the loads by projection. `direct` forms and uses the full matrix.
+replaces the bands by symmetric ones, which neglects a part of the change of half-width from strip
+to strip. A projection conserves the sum of the loads. `direct` forms and uses the full matrix.
 """
 
 from dataclasses import dataclass
@@ -40,7 +40,7 @@ class System:
 
 
 def direct(system: System) -> tuple[Array, Array]:
-    """Steps of the loads (N, n) and of the approach (N,), by elimination."""
+    """Newton steps of the loads (N, n) and of the approach (N,), by elimination."""
     J, push = _dense(system), system.push
     if system.missing is None:
         return np.asarray(np.linalg.solve(J, push[..., None])[..., 0]), np.zeros(len(push))
@@ -63,7 +63,7 @@ def product(x: Real, matrix: Real) -> Real:
 
 
 def conjugate_gradients(system: System) -> tuple[Array, Array]:
-    """Steps of the loads (N, n) and of the approach (N,), with a relative error of about 1e-3.
+    """Newton steps of the loads (N, n) and of the approach (N,), to a relative error of about 1e-3.
 
     The systems are scaled to a right-hand side of 1 and solved in single precision; higher accuracy
     is not needed.

@@ -171,7 +171,7 @@ def _residual(s: Array, gap: Array, h: Array, level: Array, total: Array | None)
 
 
 def _uncoupled(h: Array, total: Array | None, Delta: Array | None) -> tuple[Array, Array]:
-    """Initial loads and approach: each strip is a spring with the mean stiffness of the row."""
+    """Initial loads and approach: each strip is a spring of the same mean stiffness."""
     n = h.shape[-1]
     softness = np.pi * (np.log(2 * n) + 0.5)
     if Delta is None:
@@ -186,7 +186,7 @@ def _uncoupled(h: Array, total: Array | None, Delta: Array | None) -> tuple[Arra
 
 @lru_cache(maxsize=64)
 def _far(n: int, near: int) -> tuple[Array, ...]:
-    """Matrices (n, n) of the powers s, s², ... in u: logarithm, then series of far strips."""
+    """Matrices (n, n) that multiply s, s², ... in u: logarithm, then series of distant strips."""
     m = np.abs(np.subtract.outer(np.arange(n), np.arange(n)))
     beyond, before = m + 0.5, np.where(m > 0, m - 0.5, 1.0)
     log = np.where(m > 0, np.pi / 2 * np.log(beyond / before), 0.0)

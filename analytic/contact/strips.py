@@ -15,13 +15,14 @@ crown, tilt and form errors, without the parabola x²/2R. Any consistent units.
 Range: frictionless, small strain, b much smaller than R and than the length over which q changes;
 `strip_error.neglected` estimates the error. If the ends of the roller carry load (no crown), the
 peak pressure does not converge as strips become narrower; only the pressure at mid-length and the
-loads of finite lengths converge. The half-space continues beyond the end faces of the roller.
+loads on parts of finite length converge. The half-space continues beyond the end faces of the
+roller.
 
 References
 ----------
 .. [1] K. L. Johnson, Contact Mechanics, Cambridge University Press 1985, secs. 4.2 and 5.6.
-.. [2] J. J. Kalker, On elastic line contact, J. Appl. Mech. 39 (1972) 1125-1132 (the slender
-   contact whose leading order this is).
+.. [2] J. J. Kalker, On elastic line contact, J. Appl. Mech. 39 (1972) 1125-1132 (slender
+   contacts; the strips are the leading order of this theory).
 """
 
 from collections.abc import Callable

@@ -69,15 +69,18 @@ class Cam(ABC):
 
     @property
     def pop_through(self) -> Array:
-        """Sum d_i + d_o [length] at pop-through (psi = 0); an inner cam has a negative value.
+        """Sum d_i + d_o [length] at pop-through (psi = 0).
 
-        Pop-through does not occur for an inner cam.
+        For an inner cam, the value is negative: pop-through does not occur.
         """
         return np.asarray(-self.sense * (self.race - self.flat) + 2 * self.roller)
 
     @property
     def room(self) -> Array:
-        """Shift [length] of flats that removes the wedge: star R - 2 r - X, cup R_s + 2 r - X."""
+        """Outward shift [length] of the flats at which the unloaded wedge vanishes (psi = 0).
+
+        It is R - 2 r - X for a star and R_s + 2 r - X for a cup.
+        """
         _, y = self.centre(d_i=0.0, d_o=0.0)
         return np.asarray(self.distance(d_i=0.0, d_o=0.0) - y)
 
@@ -106,7 +109,10 @@ class Cam(ABC):
         return np.asarray(rho * np.sin(psi)), np.asarray(rho * np.cos(psi))
 
     def arc(self, *, d_i: ArrayLike, d_o: ArrayLike) -> Array:
-        """Arc s [length] along the cam that the roller's centre moves, from no load on (Eq. 6)."""
+        """Arc s [length] by which the roller's centre has moved along the cam (Eq. 6).
+
+        s is 0 without load.
+        """
         turned = 2 * (self.alpha(d_i=d_i, d_o=d_o) - self.alpha0)
         return np.asarray(self.sense * self.distance(d_i=d_i, d_o=d_o) * turned)
 

@@ -1,19 +1,25 @@
 r"""Approaches of the roller to both parts under P = N/L (plane strain).
 
 The displacement of each body contains a logarithm of the distance between the contact and a
-reference point. Therefore, only the total approaches, d = f + u, can be compared:
+reference point. The division of an approach d into local flattening f and structural deflection u
+depends on this point. Therefore, only d = f + u is computed. It is the sum of delta of half a
+roller and delta of the part,
 
 .. math:: \delta = \frac{P}{\pi E'}\left[2\ln\frac{l}{a} + k + c\,\frac{a}{l}\right]
+
+with the following constants of the bodies:
 
 - half a roller, from the contact to the centre: l = r, k = 2 ln 4 - 1;
 - a circular race on a shaft or on a ring with a free rim: l = R, k from `series`, with the bending
   and the expansion under all z loads;
-- a star that is clamped on its bore. "annulus": a disc through the contact, l = sqrt(X² + x²),
-  under all loads (`series`). "half space": l = 2 (X - r_b), k = -nu', the displacement of a half
-  space down to the depth X - r_b, without clamping; it underestimates d_i by about 2 %;
+- a star that is clamped on its bore. "annulus": a disc whose rim passes through the contacts,
+  l = sqrt(X² + x²), under all loads (`series`). "half space": l = 2 (X - r_b), k = -nu', the
+  displacement of a half space down to the depth X - r_b, without clamping; it underestimates d_i
+  by about 2 %;
 - a cup with z flats: a ring whose bore encloses the same area as the flats.
 
-The tangential force has no effect: on a ring, it causes no radial displacement at the load.
+The tangential force has no effect: on a ring, it causes no radial displacement at its point of
+action.
 
 References
 ----------
@@ -126,7 +132,7 @@ def _ring(clutch: RollerClutch, material: ContactMaterial, bore: Array) -> Body:
 def _cup(clutch: RollerClutch) -> Body:
     """Cup as a ring whose bore has the area enclosed by the flats.
 
-    A ring with the bore X_o is too stiff, with X_o/cos(pi/z) too compliant.
+    A ring with the bore radius X_o is too stiff, one with X_o/cos(pi/z) is too compliant.
     """
     angle = np.pi / clutch.cam.count
     return _ring(clutch, clutch.outer, clutch.cam.flat * np.sqrt(np.tan(angle) / angle))

@@ -1,11 +1,11 @@
-"""Required friction coefficient along a load path: its peak, time of slip, class.
+"""Required friction coefficient along a load path: its largest value, time of slip, and class.
 
 After the torque has passed through zero, the clutch overruns and needs no friction (nan). As the
 torque goes to zero at constant F_ax/T, alpha goes to alpha_0, and mu_req goes to the finite value
 tan(alpha_0) sqrt(1 + (R F_ax/T)²). This is the smallest value of an inner cam, whose angle
 increases with the torque, and the largest value of an outer cam. If the torque passes through zero
-but the axial load does not, mu_req is infinite at the last locked time, because friction is zero
-without normal force.
+but the axial load does not, mu_req is infinite at the last time with T >= 0, because friction is
+zero without normal force.
 """
 
 from dataclasses import dataclass
@@ -65,7 +65,7 @@ def follow(
 ) -> Course:
     """Required friction of one clutch along `path`, at equally spaced times or at `t` [s].
 
-    A load cycle needs about 100 times: the error of the peak is then at most 5e-4 (too low).
+    With about 100 points in time per load cycle, the peak is too low by at most the fraction 5e-4.
     """
     t = np.linspace(0, path.duration, POINTS) if t is None else np.asarray(t, dtype=np.float64)
     criterion.friction(mu)
@@ -85,10 +85,10 @@ def _without_round_off(load: Array) -> Array:
 
 
 def _released_under_load(T: Array, F_ax: Array) -> NDArray[np.bool_]:
-    """True for locked times at which the clutch is released under axial load.
+    """True for times at which the torque passes through zero under axial load, while T >= 0.
 
-    These are locked times next to overrunning times if the axial load between them does not change
-    its sign, and times without torque but with an axial load.
+    These are the times with T > 0 next to a time with T < 0, if the axial load has the same sign at
+    both, and the times with T = 0 and an axial load.
     """
     passing = (T[1:] * T[:-1] < 0) & (F_ax[1:] * F_ax[:-1] > 0)
     beside = np.zeros(T.shape, dtype=np.bool_)

@@ -5,9 +5,9 @@ For one roller with the geometric clamping angle alpha,
 .. math:: \mu_{req} = \frac{\sqrt{F_t^2 + F_a^2}}{F_n}
           = \tan\alpha \sqrt{1 + \left(\frac{F_{ax} R}{T}\right)^2},
 
-with F_a = F_ax/z and T = z R F_t of the whole clutch (R is R_s for an outer cam). The left side of
-Eq. 8 as printed is tan(alpha), which is F_t/F_n (Eq. 1). The paper also uses the same symbol F_ax
-for both axial forces.
+with F_a = F_ax/z and T = z R F_t of the whole clutch (R is R_s for an outer cam). In the
+paper, the left side of Eq. 8 is tan(alpha), which contradicts tan(alpha) = F_t/F_n (Eq. 1). The
+paper also uses the same symbol, F_ax, for F_a and F_ax.
 
 The criterion applies only in the locking direction (T > 0). An overrunning clutch (T < 0) is not
 wedged: mu_req is nan. At T = 0, no normal force exists to transmit F_ax: mu_req is infinite. If

@@ -1,7 +1,6 @@
-"""First limit of a clutch as its torque increases or decreases at constant axial load.
+"""Limits of a clutch's torque at constant axial load, and of its axial load at constant torque.
 
-Each limit is determined separately: the axial load is constant while the torque changes, and vice
-versa. SI units.
+SI units.
 """
 
 import math
@@ -68,7 +67,7 @@ class Duty:
 
     @cached_property
     def under(self) -> RollerClutchState | None:
-        """State under the torque T; None if overrunning, unloaded or without equilibrium."""
+        """State under the torque T; None if T <= 0 or if there is no equilibrium."""
         if self.T <= 0:
             return None
         now = state.loaded(self.clutch, self.T)
@@ -180,7 +179,7 @@ def uneven(factor: float) -> float:
 
     The ratio is 0 if `factor` < 1.
 
-    >>> uneven(2**0.5), uneven(2.0)  # of a line load of 2 and of 4 times its mean: see `tilt`
+    >>> uneven(2**0.5), uneven(2.0)  # line load at the end: 2 and 4 times its mean
     (0.16666666666666674, 0.33333333333333337)
     """
     peak = factor**2

@@ -2,8 +2,8 @@
 
 The slip has the direction of the resultant friction force: its axial and circumferential components
 are proportional to F_a and F_t. If the ring cannot rotate, the rollers move out of their wedges.
-The circumferential component equals the decrease of both approaches, dd_i + dd_o = -tan(alpha) R
-dphi, until both are zero.
+The circumferential slip R dphi decreases both approaches, dd_i + dd_o = -tan(alpha) R dphi, until
+they are zero.
 """
 
 import numpy as np
@@ -16,10 +16,10 @@ GRID = np.linspace(0.0, 1.0, 401)  # of N, along which rollers move out
 
 
 def let_out(clutch: RollerClutch, *, T: float, mu: float) -> tuple[Array, Array]:
-    """Axial slip [length] with the friction mu, and the torque as a fraction of T, each (m,).
+    """Axial slip [length] with the friction mu, and the torque as a fraction of T, both (m,).
 
-    The order is reversed: the first state has no force. The values are nan if the clutch slips
-    under T alone, tan(alpha) > mu.
+    The m states are in reverse order: the slip begins at the last, with the torque T, and ends at
+    the first, without force. The slip is nan if the clutch slips under T alone, tan(alpha) > mu.
     """
     state = at_normal_force(clutch, GRID * loaded(clutch, T).N)
     tan = np.tan(state.alpha)

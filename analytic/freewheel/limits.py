@@ -1,8 +1,8 @@
 """Torques at which a clutch reaches its limits, and the limit that is reached first.
 
 A torque is infinite if the limit is not reached up to the last equilibrium. The last equilibrium is
-the torque maximum of an outer cam, beyond which the rollers pop through, or the state in which a
-contact is wider than r/2.
+the torque maximum of an outer cam, beyond which the rollers pop through, or the state in which the
+half-width of a contact reaches r/2.
 """
 
 from collections.abc import Callable
@@ -111,7 +111,7 @@ def _last(clutch: RollerClutch) -> Array:
 
 
 def _summit(clutch: RollerClutch, last: Array) -> Array:
-    """Normal force [force] above which the torque no longer increases; infinite without one."""
+    """Normal force [force] above which the torque no longer increases; infinite if none."""
     return _first(clutch, last, lambda now: np.isnan(now.alpha) | (_growth(now) <= 0))
 
 

@@ -22,7 +22,7 @@ Named = dict[str, str]
 
 
 def field_of(clutch: RollerClutch, name: str) -> str:
-    """Name of the cam's field for the common name X, r or R."""
+    """Name of the cam's field for `name` X, r or R; an outer cam has X_o, r and R_s."""
     outer: Named = {"X": "X_o", "R": "R_s"}
     return name if isinstance(clutch.cam, InnerCam) else outer.get(name, name)
 
@@ -49,18 +49,24 @@ def ratios(duty: Duty, clutch: RollerClutch) -> Array:
 
 
 def moved_to(duty: Duty, goal: float) -> float:
-    """Smallest outward shift dX [m] of the flats at which mu/mu_req is `goal`; nan if none is."""
+    """Smallest outward shift dX [m] of the flats with mu/mu_req >= `goal`; nan if there is none."""
     return _first(duty, 1.0, lambda dX: ratios(duty, shifted(duty.clutch, "X", dX)) >= goal)
 
 
 def to_spare(duty: Duty) -> float:
-    """Largest inward shift [m] of the flats at which the clutch holds; nan if unlimited."""
+    """Largest inward shift [m] of the flats at which the clutch holds.
+
+    The result is nan if the shift has no limit, and if the clutch does not hold without a shift.
+    """
     far = -_first(duty, -1.0, lambda dX: ratios(duty, _nearer(duty, dX)) < 1)
     return far if far > 0 else math.nan
 
 
 def until_pop_through(duty: Duty) -> float:
-    """Largest outward shift [m] of the flats with an equilibrium at T; nan if unlimited."""
+    """Largest outward shift [m] of the flats with an equilibrium at T.
+
+    The result is nan if the shift has no limit, and if there is no equilibrium without a shift.
+    """
 
     def is_lost(dX: Array) -> NDArray[np.bool_]:
         return ~np.isfinite(state.loaded(shifted(duty.clutch, "X", dX), duty.T).N)

@@ -10,7 +10,8 @@ of y can be integrated,
 .. math:: R\,\varphi = \pm\left(\left[x + y\,G\right] - \int G\,dy\right),
           \qquad G = \operatorname{arsinh}\tan\psi .
 
-With the constraint of Eq. 5, this equals R dphi = (dd_i + dd_o)/tan(alpha), that is T dphi = dU.
+With the constraint of Eq. 5, this equals R dphi = (dd_i + dd_o)/tan(alpha): the work T dphi of the
+torque equals the increase dU of the strain energy.
 
 The formula contains only rolling. F_t causes an additional wind-up of contacts and parts. As the
 tangential compliance of a contact is about its normal compliance, the additional wind-up is

@@ -40,7 +40,10 @@ class Scatter:
         return np.asarray(self.drawn.mu[kept] / self.drawn.mu_req[kept])
 
     def values(self) -> dict[str, float]:
-        """Percentiles (SI units) and shares of outcomes, by name; only slip can have a share 0."""
+        """Percentiles (SI units), shares of outcomes and shares of traffic-light classes, by name.
+
+        An outcome that does not occur is omitted, except slip.
+        """
         d, known = self.drawn, np.isfinite(self.drawn.mu_req)
         found = {f"P_{key}": d.share(outcome) for key, outcome in COUNTED.items()}
         found = {key: share for key, share in found.items() if share > 0 or key == "P_slip"}

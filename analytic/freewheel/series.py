@@ -8,10 +8,11 @@ deflection of the wall at each load, in the direction of the load, is
 
 (upper sign for a bore). The load is a series of waves m = z, 2z, ... with the factor 2 J_1(m
 a/r)/(m a/r). The terms of order 1/m of the deflection give the logarithm. The next terms, -/+(1 -
-nu')/(2 m²), give c, because the mean of |t| over the semi-ellipse is 4/(3 pi). The remainder does
-not contain a. k is computed by `LoadedRace` for one narrow patch. The stresses in a ring under
-given loads do not depend on nu'. Therefore, k is linear in nu'. For a star with a clamped bore, k
-is computed from the four powers of `clamped_race`.
+nu')/(2 m²), give c, because the mean distance from the middle of the patch, weighted by the
+semi-elliptic pressure, is 4 a/(3 pi). The remainder does not contain a. k is computed by
+`LoadedRace` for one narrow patch. The stresses in a ring under given loads do not depend on nu'.
+Therefore, k is linear in nu'. For a star with a clamped bore, k is computed from the four powers of
+r in `clamped_race`.
 """
 
 from collections.abc import Callable
@@ -56,7 +57,7 @@ def star_constant(*, ratio: ArrayLike, n: ArrayLike, nu: ArrayLike) -> Array:
 
 
 def _over_ratios(function: Callable[..., float], ratio: Array, n: ArrayLike) -> Array:
-    """`function` of ratio and n, interpolated over ln(ratio - 1) if there are many values."""
+    """Values of `function` at ratio and n; many values are interpolated over ln(ratio - 1)."""
     ratio, n = np.broadcast_arrays(ratio, np.asarray(n))
     found = np.empty(ratio.shape)
     for count in np.unique(n):

@@ -2,10 +2,11 @@ r"""State of a clutch under torque: clamping angle, forces, approaches, pressure
 
 All quantities follow from the normal force N of one contact: d_i, d_o from `compliance`, psi from
 Eq. 5, F_t = N tan(alpha), T = z R F_t (Eq. 3). N is computed from the torque or the angle by
-Newton's method on logarithms, in which both are nearly linear (slope 1 to 1.5 for an inner cam).
+Newton's method for ln N. The logarithms of torque and approach are nearly linear in ln N (slope 1
+to 1.5 for an inner cam).
 
 The torque of an outer cam has a maximum, beyond which the rollers pop through; no equilibrium
-exists at a larger torque. Hertz's theory is not applied to contacts wider than r/2. In both cases,
+exists at a larger torque. Hertz's theory is not applied if a half-width exceeds r/2. In both cases,
 the state is nan; `limits` gives the limiting torques.
 """
 
@@ -48,12 +49,12 @@ class RollerClutchState:
 
     @property
     def psi(self) -> Array:
-        """Angle psi = 2 alpha [rad] between the centre of the roller and the normal of the flat."""
+        """Angle psi = 2 alpha [rad] of the roller's centre from the normal of the flat."""
         return np.asarray(2 * self.alpha)
 
     @property
     def s(self) -> Array:
-        """Arc s [length] of the centre of the roller relative to the cam (Eq. 6)."""
+        """Arc s [length] by which the roller's centre has moved along the cam (Eq. 6)."""
         return self.bodies.clutch.cam.arc(d_i=self.d_i, d_o=self.d_o)
 
     @property
@@ -131,7 +132,7 @@ def _newton(
 ) -> Array:
     """Normal force N [force] at which `residual` is zero; 0 remains 0.
 
-    `residual` returns a function of ln N and its slope.
+    `residual` returns its value at N and the derivative by ln N.
     """
     N, ceiling = np.minimum(start, _widest(clutch)), _widest(clutch)
     with np.errstate(divide="ignore", invalid="ignore"):

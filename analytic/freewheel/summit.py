@@ -14,7 +14,8 @@ FOUND = 1e-9  # relative to N
 def summit(clutch: RollerClutch) -> RollerClutchState | None:
     """State of one clutch at its largest torque.
 
-    None for an inner cam, and if contacts are already wider than half the radius of the rollers.
+    None for an inner cam, and if the half-width of a contact reaches half the radius of the rollers
+    before the largest torque.
     """
     T = float(pop_through(clutch))
     if not np.isfinite(T):

@@ -8,7 +8,7 @@ directions by
 
 A linear line load then has its peak N/L (1 + 6 e/L) at one end. From e = L/6 on, the other end
 lifts off, and the line load is a triangle over the length 3 (L/2 - e). Hertz's pressure is
-proportional to the root of the line load. End effects and crowns are neglected.
+proportional to the square root of the line load. End effects and crowns are neglected.
 """
 
 import numpy as np
@@ -40,7 +40,7 @@ def peak_factor(*, e: ArrayLike, L: ArrayLike) -> Array:
 
 
 def pressure_factor(*, e: ArrayLike, L: ArrayLike) -> Array:
-    """Ratio of Hertz's peak pressure to that of a uniform line load: root of `peak_factor`."""
+    """Ratio of Hertz's peak pressure to that of a uniform line load: sqrt(`peak_factor`)."""
     return np.asarray(np.sqrt(peak_factor(e=e, L=L)))
 
 

@@ -1,7 +1,7 @@
 r"""Functions of z-fold symmetry, singular in the hole or in the image of the hole beyond the rim.
 
 A potential of the ring is :math:`\phi = \zeta F(\omega)` with :math:`\omega = (\zeta/r_e)^z` and F
-real on the real axis: one revolution of omega is one sector. F is expanded in
+real on the real axis. One sector of the ring is one revolution of omega. F is expanded in
 
 - powers :math:`(\omega\,\omega_a)^k` and :math:`(\omega_a/\omega)^k`, where omega_a is omega at the
   apothem,

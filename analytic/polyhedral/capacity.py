@@ -12,8 +12,8 @@ force. Here, their share follows from the deflection of the ring (`locking`),
 
 .. math:: p(N) = \frac{1}{u_p}\left[\frac{j_D}{2} + u_N(a) N + \delta(N) - \kappa u_{h1} N\right]
 
-where u_h1 is the displacement by a unit hub force. If this displacement increases with N as fast as
-the closure of ring and roller, no additional pressure is needed: pressure does not limit the
+where u_h1 is the displacement by a unit hub force. If :math:`\kappa u_{h1} N` increases with N as
+fast as :math:`u_N N + \delta`, no additional pressure is needed: pressure does not limit the
 torque.
 
 All forces per unit length. Range: see `locking`.
@@ -96,11 +96,11 @@ class Driven:
         return self._stiffness(N) > self.lift
 
     def force_sensitivity(self, N: float) -> float:
-        """Relative change of N per relative change of the approach, at constant pressure."""
+        """Relative change of N per relative change of u_N N + delta, at constant pressure."""
         return self.contact.closure(N) / N / (self._stiffness(N) - self.lift)
 
     def pressure_sensitivity(self, N: float) -> float:
-        """Relative change of the pressure per relative change of the approach, at constant N."""
+        """Relative change of the pressure per relative change of u_N N + delta, at constant N."""
         return self.contact.closure(N) / (self.contact.growth * self.pressure(N))
 
     def force(self, p: float) -> float:
@@ -126,7 +126,7 @@ class Driven:
         return inf
 
     def _stiffness(self, N: float) -> float:
-        """Derivative of the closure of ring and roller by N [length per force and length]."""
+        """Derivative of u_N N + delta by N [length²/force]."""
         up, down = (self.contact.closure(N * (1 + step)) for step in (STEP, -STEP))
         return (up - down) / (2 * STEP * N)
 

@@ -18,7 +18,7 @@ def loaded_fillet_stress(
     """Largest fillet stress [stress] under p, the hub force, and N on patches of width 2 a.
 
     The patches are on the rim above the flats. N is per unit length and 0 if the rollers do not
-    touch. The stress is the largest of `ALONG` points.
+    touch. The stress is the largest at equally spaced points of the fillet.
 
     >>> ring = Sector(z=6, d_e=80.0, d_i=72.0, rho=2.0)
     >>> alone, pressed_back = (loaded_fillet_stress(ring, p=30.0, N=N, a=0.1) for N in (0.0, 180.0))

@@ -8,7 +8,7 @@ r + r_1:
     a = \frac{d_i}{2} \cos\frac{\pi}{z} + \rho \left(1 - \cos\frac{\pi}{z}\right)
 
 with the fillet radius rho of the corner (sharp corners in the paper); d_i is the diameter through
-the real corners. The angle of the hub force R is phi_1 with the normal and psi + phi_1 with the
+the rounded corners. The angle of the hub force R is phi_1 with the normal and psi + phi_1 with the
 radius. The resultant of the pressure between two corners is that on the chord:
 
 .. math:: F = p_2 b d_i \sin\frac{\pi}{z}, \qquad

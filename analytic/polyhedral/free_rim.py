@@ -115,7 +115,7 @@ class _Fit(NamedTuple):
     right: Array  # with the singular values and scales divided out
 
     def coefficients(self, asked: Complex) -> Array:
-        """Least-squares coefficients; the factors are applied in turn for accuracy."""
+        """Least-squares coefficients; for accuracy, no pseudoinverse is formed."""
         return np.asarray(self.right @ (self.left.T @ np.concatenate([asked.real, asked.imag])))
 
 
@@ -139,7 +139,7 @@ def _fit(sector: Sector, density: float) -> _Fit:
 
 
 def _arc_lengths(sector: Sector, density: float) -> Array:
-    """Arc lengths of points on flat and fillet: equally spaced, and graded to the tangent point."""
+    """Arc lengths of points on flat and fillet: equally spaced, denser near the tangent point."""
     arc = sector.rho * sector.half_angle
     even = (np.arange(int(36 * density)) + OFFSET) / int(36 * density)
     side = min(arc, sector.straight)

@@ -14,8 +14,8 @@ of forces, phi is complemented by
 
 which is regular in the ring. On the bore, f is constant between the forces: the real value C around
 mid-flat and :math:`r e^{i\pi/z}` around the corner. At a force, f decreases by iF, hence
-:math:`r = -F_x/\sin(\pi/z)`, :math:`C = r\cos(\pi/z) - F_y`. The difference from f of the point
-forces is bounded, and `free_rim` corrects it.
+:math:`r = -F_x/\sin(\pi/z)`, :math:`C = r\cos(\pi/z) - F_y`. The difference between this f and the
+f of the point forces is bounded; `free_rim` gives the potential that corrects it.
 
 Range: points of the bore at a distance of at least a few widths of the hub contact from the force.
 
@@ -68,9 +68,9 @@ def hub_force(*, sector: Sector, e: float, normal: float, along: float = 0.0) ->
     """Ring under hub forces on each flat: `normal` acts outwards, `along` towards the corner.
 
     The forces [force per length] act on one flat. One half acts at the distance e [length] from
-    mid-flat, the other half, mirrored, at -e. This is the symmetric part of the hub force, which is
-    equal for all rollers at mid-flat. e is measured along the bore; the corner is at
-    `Sector.half_bore`.
+    mid-flat, the other half, mirrored, at -e. This is the symmetric part of the hub force; the
+    antisymmetric part causes no radial displacement at mid-flat, where the rollers are. e is
+    measured along the bore; the corner is at `Sector.half_bore`.
 
     >>> ring = Sector(z=6, d_e=80.0, d_i=72.0, rho=2.0)
     >>> hub = hub_force(sector=ring, e=9.0, normal=1000.0)

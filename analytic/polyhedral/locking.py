@@ -18,10 +18,11 @@ of a round ring in a rigid housing,
 
 .. math:: \eta \to \frac{2\, d_i d_e}{(1 - \nu')\, d_e^2 + (1 + \nu')\, d_i^2},
 
-1.027 for d_i = 0.9 d_e and nu' = 0.3: the wall is compressed in thickness and expands along the
-circumference.
+which is 1.027 for d_i = 0.9 d_e and nu' = 0.3. It exceeds 1 because the pressure compresses the
+wall in thickness, and the wall then tends to expand along the circumference.
 
-Range: frictionless contacts with a much smaller than d and the wall; the rollers at mid-flat.
+Range: frictionless contacts of a half-width much smaller than d and the wall thickness; rollers at
+mid-flat.
 """
 
 from dataclasses import dataclass
@@ -108,7 +109,7 @@ class RollerContact:
         return float(hertz_line.half_width(P=N, R=R, E_star=E_star))
 
     def closure(self, N: float) -> float:
-        """Approach of ring and roller above mid-flat under N [length]."""
+        """Inward displacement of the rim plus compression of the roller, u_N N + delta [length]."""
         a = self.half_width(N)
         load = roller_load(sector=self.sector, a=a)
         dent = load.rim_displacement(0.0, E=self.E, nu=self.nu, assumption=self.assumption)
@@ -182,7 +183,7 @@ def locked(
 
 
 def _force(contact: RollerContact, closing: float, E_plane: float) -> float:
-    """Force N at which the closure is `closing`, by Newton's method with an estimated slope."""
+    """Force N at which u_N N + delta is `closing`, by Newton's method with an estimated slope."""
     bodies = 1 / E_plane if np.isinf(contact.roller.E) else 3 / E_plane
     N = E_plane * (FIRST * contact.sector.r_e) ** 2 / contact.roller.d
     for _ in range(STEPS):

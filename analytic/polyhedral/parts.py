@@ -11,10 +11,10 @@ from analytic.polyhedral import expansion, forces
 class PolyhedralParts:
     """Dimensions of ring, rollers, outer race and hub in the symbols of the paper [m].
 
-    z rollers of diameter d are located between ring and race. Ring: d_i through the real corners,
-    fillet radius rho, outside diameter d_e, width b. Race: D_i inside and, if needed, D outside.
-    The hub touches each flat at the distance e from its middle. Raises ValueError for impossible
-    dimensions.
+    z rollers of diameter d are located between ring and race. Ring: d_i through the rounded
+    corners, fillet radius rho, outside diameter d_e, width b. Race: D_i inside and, if needed, D
+    outside. The hub touches each flat at the distance e from its middle. Raises ValueError for
+    impossible dimensions.
     """
 
     z: int

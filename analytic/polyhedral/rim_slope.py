@@ -22,7 +22,7 @@ ALONG = 400  # angles among which the steepest is sought
 
 
 def rim_slope(theta: ArrayLike, *, sector: Sector, field: FreeRim | HubForce) -> Array:
-    """Slope times E' [stress] of the unloaded rim of the ring `field`, at the angles theta [rad].
+    """Slope times E' [stress] of the free rim, from the potentials `field`, at theta [rad].
 
     >>> from analytic.polyhedral.bore_pressure import pressed
     >>> ring = Sector(z=6, d_e=80.0, d_i=72.0, rho=2.0)

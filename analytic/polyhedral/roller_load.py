@@ -3,7 +3,8 @@ r"""Polyhedral ring under z equal rollers that press on its rim above the middle
 Each roller presses radially with N per unit length, distributed as a semi-ellipse (Hertz) over the
 arc -a <= r_e theta <= a. For the full disc under the same load with the Fourier coefficients c_m,
 
-.. math:: \phi = -r_e\sum_{m \ge 0} \frac{c_m}{m + 1}\,\xi^{m+1}\;(\text{half of the first}), \qquad
+.. math:: \phi = -r_e\sum_{m \ge 0} \frac{c_m}{m + 1}\,\xi^{m+1}\;
+          (\text{half of the term } m = 0), \qquad
           \psi = r_e\sum_{m > 0} \frac{m\,c_m}{m - 1}\,\xi^{m-1}, \qquad \xi = \zeta/r_e,
 
 m = 0, z, 2z, ... The series converge geometrically on the bore. The potential of `free_rim` removes

@@ -63,7 +63,7 @@ class Sector:
 
     @property
     def R_u(self) -> float:
-        """Corner radius [length] of the polygon without fillets."""
+        """Distance [length] of the corners of the polygon without fillets from the centre."""
         return float(self.d_i / 2 + self.rho * (1 / np.cos(self.half_angle) - 1))
 
     @property

@@ -8,9 +8,9 @@ share s of N, and the pressure contributes the rest:
     p_2 \ge \frac{2 M_t (1 - s)}{\mu D_i\, z d_i \sin(\pi/z)\, b}, \qquad p_t = p_{1r} + p_2
 
 (Eqs. 17 to 20 with the perimeter of the polygon in place of the circumference). If s >= 1, the hub
-force increases the roller forces as fast as friction requires: the pressure for contact is
-sufficient, and the torque is infinite in this model. For free rollers, tan(alpha/2) replaces mu
-(`wedging`).
+force increases the roller forces as fast as friction requires: the pressure at which the ring
+touches the rollers is sufficient, and the torque is infinite in this model. For free rollers,
+tan(alpha/2) replaces mu (`wedging`).
 
 Angles in rad, otherwise any consistent units. Range: see `wedging` and `forces`; z rollers
 carry equal loads.
@@ -54,7 +54,7 @@ def self_locking(share: ArrayLike) -> NDArray[np.bool_]:
 
 
 def hub_releases(*, psi: ArrayLike, phi_1: ArrayLike) -> NDArray[np.bool_]:
-    """True if the hub, with reversed friction, releases the ring: psi > phi_1 (after Eq. 15)."""
+    """True if the hub, with reversed friction, releases the ring: psi > phi_1 (below Eq. 15)."""
     return np.asarray(np.asarray(psi) > np.asarray(phi_1))
 
 
@@ -77,7 +77,7 @@ def torque(
 ) -> Array:
     """Largest torque M_t [force x length] under the total pressure p_t (Eqs. 17 and 20).
 
-    It is 0 if the ring does not touch the rollers, and infinite if it does and `share` >= 1.
+    It is 0 if the ring does not touch the rollers. Otherwise, it is infinite if `share` >= 1.
     """
     p_2 = blocking_pressure(p_t=p_t, p_1r=p_1r)
     F = forces.pressure_force(p_2=p_2, b=b, d_i=d_i, z=z)

@@ -61,7 +61,9 @@ def largest_fillet_stress(*, sector: Sector) -> tuple[float, float]:
 
 
 def corner_stress_factor(*, sector: Sector, nu: float, assumption: Assumption) -> float:
-    r"""Ratio of the largest fillet stress to sigma_t = E j_D/d_m, at contact of rim and rollers.
+    r"""Ratio of the largest fillet stress to sigma_t = E j_D/d_m.
+
+    The stress is that at the pressure at which the rim reaches the rollers.
 
     .. math:: \frac{\sigma_{max}}{\sigma_t} = \frac{\sigma_{max}}{p}\,K_{mid}\,
               \frac{2\,\delta_1}{d_i}

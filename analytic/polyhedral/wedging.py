@@ -14,9 +14,9 @@ at the angle alpha/2 with each normal. Hence
 for every mu. The printed mu N z D_i/2 (Eq. 3) is valid if a cage retains the roller with the force
 C until it slips. It is an upper bound of the torque on the race, as Eq. 4 is a lower bound of N.
 The contribution of the cage, z C times its lever arm, does not act on the ring. Only with free
-rollers does the whole torque of the race act on the ring, at most mu N at the largest angle,
-alpha = 2 arctan mu. If Eq. 2 is violated, a free roller is expelled and carries no load. The
-formulas below do not check this: use `holds`.
+rollers does the whole torque of the race act on the ring. The tangential force of a free roller is
+at most mu N, at the largest angle, alpha = 2 arctan mu. If Eq. 2 is violated, a free roller is
+expelled and carries no load. The formulas below do not check this: use `holds`.
 
 Angles in rad, otherwise any consistent units. Range: rigid roller without weight, equal friction at
 both contacts. The paper has no equation for alpha.

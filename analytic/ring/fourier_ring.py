@@ -21,16 +21,16 @@ and the displacements (u_r, u_theta) times 2G, with Kolosov's constant kappa, ar
     D:\ & r_i \left[s^{m-1}\left(1 - s^2 + \tfrac{s^2}{m+1}\right)(1, 1)
           + \frac{\kappa s^{m-1}}{m-1} (1, -1)\right].
 
-No power exceeds 1, so that m may be as large as a narrow patch requires. C and D do not contain the
-parts that would be nearly equal to A and B. Therefore, the four equations of the wall tractions are
-well conditioned: the tractions (sigma_r, tau) on the respective wall are (1, -1) for A, (2, 0) for
-C, (-1, -1) for B and (-2, 0) for D. The solution is exact for a finite sum of p_m, within plane
-linear elasticity.
+No power of rho or s exceeds 1, so that m may be as large as a narrow patch requires. C and D do not
+contain the parts that would be nearly equal to A and B. Therefore, the four equations of the wall
+tractions are well conditioned: the tractions (sigma_r, tau) on the respective wall are (1, -1) for
+A, (2, 0) for C, (-1, -1) for B and (-2, 0) for D. The solution is exact for a finite sum of p_m,
+within plane linear elasticity.
 
 References
 ----------
 .. [1] S. P. Timoshenko, J. N. Goodier, Theory of Elasticity, 3rd ed., McGraw-Hill 1970, art. 43.
-.. [2] J. R. Barber, Elasticity, 3rd ed., Springer 2010, table 8.1 and 9.1 (Michell's solution).
+.. [2] J. R. Barber, Elasticity, 3rd ed., Springer 2010, tables 8.1 and 9.1 (Michell's solution).
 """
 
 from dataclasses import dataclass
@@ -111,7 +111,7 @@ class FourierRing:
 
     @property
     def double_shear_modulus(self) -> float:
-        """Double shear modulus 2G [stress]."""
+        """Twice the shear modulus, 2G [stress]."""
         return self.E / (1 + self.nu)
 
     def at(self, r: ArrayLike, theta: ArrayLike) -> State:
@@ -177,7 +177,7 @@ class FourierRing:
         return np.asarray((factors * np.concatenate([moved, stresses], axis=1)).sum(axis=0))
 
     def _summed(self, waves: Array, theta: Array) -> Array:
-        """Sums of the waves (5, K) at the angles (points,): displacements, stresses (5, points)."""
+        """Displacements and stresses (5, points): sums of `waves` (5, K) at `theta` (points,)."""
         turn = np.outer(self._m[: waves.shape[1]], theta)
         even, odd = waves[[0, 2, 3]] @ np.cos(turn), waves[[1, 4]] @ np.sin(turn)
         return np.array([even[0], odd[0], even[1], even[2], odd[1]])
@@ -208,7 +208,7 @@ def _displacements(m: Array, r: float, r_i: float, r_o: float, kappa: float) -> 
 
 
 def _wall_tractions(m: Array, far: float) -> Array:
-    """Tractions (m, 4, 4) of A, B, C, D: sigma_r, tau at the rim, then at the bore.
+    """Tractions (K, 4, 4) of A, B, C, D: sigma_r, tau at the rim, then at the bore.
 
     `far` is ln(r_o/r_i).
     """

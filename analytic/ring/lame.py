@@ -46,7 +46,7 @@ def stresses(
 def axial_stress(
     *, r_i: ArrayLike, r_o: ArrayLike, p_i: ArrayLike, p_o: ArrayLike = 0.0, nu: float, ends: Ends
 ) -> Array:
-    """Axial stress [stress], uniform over the wall: 0, 2 nu A or A, with the constant A of Lamé."""
+    """Uniform axial stress [stress]: 0 (plane stress), 2 nu A (plane strain) or A (closed ends)."""
     _radii_in_wall(r_i, r_i, r_o)
     A, _ = _constants(r_i, r_o, p_i, p_o)
     return _axial_factor(nu, ends) * A

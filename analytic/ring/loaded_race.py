@@ -7,7 +7,7 @@ length. With alpha = a/r on the loaded wall, its Fourier coefficients for m = k 
 
 `FourierRing` solves for the first waves. The omitted waves have no effect on the other wall. On the
 loaded wall, their sum has a closed form in the leading order 1/m. With phi = n theta, the position
-t in the patch, s = theta/alpha and the mean <> over the semi-ellipse, it is
+t in the patch (-1 to 1), s = theta/alpha and the mean <> over the semi-ellipse, it is
 
 .. math::
     \sum_k \frac{2 J_1(k n\alpha)}{k n\alpha} \frac{\cos k\phi}{k}
@@ -130,7 +130,7 @@ class LoadedRace:
         return float(self.at(r, theta).u_r)
 
     def _rest(self, theta: Array) -> tuple[Array, Array, Array]:
-        """Closed sums minus the waves of `ring`, and the remaining pressure [stress]."""
+        """Sums of the waves that `ring` omits (closed form), and their pressure [stress]."""
         phi = self.n * self._folded(theta)
         beta = self.n * self.alpha
         s = phi / beta

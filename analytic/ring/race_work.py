@@ -11,8 +11,8 @@ POINTS = 24  # of the rule over the patch
 def cut_force(race: LoadedRace) -> float:
     """Hoop force [force per length] in a cut midway between two loads, positive in tension.
 
-    By statics, the cut carries half of the component of a load along its normal, P <cos theta> over
-    the patch.
+    The equilibrium of the sector between two cuts gives the magnitude P <cos theta>/(2 sin(pi/n)),
+    where <cos theta> is the mean over the load of a patch.
     """
     outward = 1.0 if race.loaded == "bore" else -1.0
     along = loaded_race.share(race.alpha) * race.P

@@ -98,7 +98,7 @@ def strain_energy(
     k = float(nu_plane)
 
     def integral(r: float) -> float:
-        """Integral of r² u_r from 0 to r, with u_r in units of load/(8 E')."""
+        """Integral of r² u_r from 0 to r, with u_r in units of rho omega²/(8 E')."""
         lame = (3 + k) * (
             (1 - k) * (r_i**2 + r_o**2) * r**4 / 4 + (1 + k) * (r_i * r_o * r) ** 2 / 2
         )

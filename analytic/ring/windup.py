@@ -1,14 +1,14 @@
 r"""Wind-up and shock force with uniformly loaded races, divided by the values with Fourier rings.
 
-The half-widths of contacts are proportional to the root of the force N. Therefore, deflection and
-energy of the contact of a sprag on a race are
+The half-widths of contacts are proportional to the square root of the force N. Therefore,
+deflection and energy of the contact of a sprag on a race are
 
 .. math::
     \delta = N \left[c + g \ln\frac{N_0}{N}\right], \qquad
     U = \frac{N^2}{2} \left[c - \frac{g}{2} + g \ln\frac{N_0}{N}\right],
 
-where c follows from the models at N_0, and g from both indentations, which are common to all
-models.
+where c follows from the model of the race at N_0, and g from the indentations of race and sprag,
+which are the same in both models.
 
 Range: half-widths much smaller than the sprag and the wall; races in plane stress, sprags in plane
 strain, of one material.

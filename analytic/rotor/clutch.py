@@ -8,16 +8,16 @@ displacement of the inner race relative to the outer race is
 .. math:: \delta_{jk} = (\Delta\delta_x + x_k \Delta\gamma_y) \cos\psi_j
    + (\Delta\delta_y - x_k \Delta\gamma_x) \sin\psi_j + d_t \Delta\gamma_z - 2 L(x_k) + i_j
 
-(Eq. 8 with a separate direction of the tilt; :math:`\Delta\gamma_z` includes the twist by the
-preload, :math:`i_j` is the interference of one sprag). With Eq. 2 for each slice, the potential and
-the derived Eqs. 9 to 11 are
+(Eq. 8, but displacement and tilt have independent directions; :math:`\Delta\gamma_z` includes the
+twist by the preload, :math:`i_j` is the interference of one sprag). With Eq. 2 for each slice, the
+potential and the derived Eqs. 9 to 11 are
 
 .. math:: U = \frac{k_n}{n_s} \sum_{jk} \frac{\langle\delta_{jk}\rangle^{n+1}}{n+1}, \quad
    P = \frac{k_n}{n_s} \sum_{jk} \langle\delta_{jk}\rangle^n J_{jk}, \quad
    K = \frac{k_n}{n_s} \sum_{jk} n \langle\delta_{jk}\rangle^{n-1} J_{jk} J_{jk}^T
 
-where J is the gradient of :math:`\delta_{jk}`, and only loaded slices count. The torque
-:math:`T = Z N R_i \tan\nu` requires :math:`d_t = R_i \tan\nu`.
+where J is the gradient of :math:`\delta_{jk}`, and :math:`\langle\delta\rangle` is :math:`\delta`
+if positive, otherwise 0. The torque :math:`T = Z N R_i \tan\nu` requires :math:`d_t = R_i \tan\nu`.
 
 References
 ----------
