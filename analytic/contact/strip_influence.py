@@ -44,7 +44,7 @@ def log_part(v: Array) -> Array:
 
 
 def excess(log_v: Array) -> tuple[Array, Array]:
-    """Difference of F and its asymptote `log_part`, and the derivative of this difference by ln v.
+    """F minus its asymptote `log_part`, and the derivative of this difference by ln v.
 
     Both have the shape of `log_v`. `log_v` must not be a scalar.
 

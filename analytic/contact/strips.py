@@ -42,10 +42,10 @@ AT_ONCE = 40_000  # loads in work at a time: the cache holds them
 class Strips:
     """Solved contacts: q, half_width, pressure and carries are (..., n), the other arrays (...).
 
-    q is the line load [N/m], pressure [Pa] that in the middle of each strip, half_width b [m],
-    approach delta [m], load W [N]. `residual` is the larger of two relative errors: violation of
-    the contact conditions over the largest displacement, and error of the load. gap, length, R and
-    E_star are the input values.
+    q is the line load [N/m], and pressure [Pa] is the pressure in the middle of each strip.
+    half_width is b [m], approach is delta [m], load is W [N]. `residual` is the larger of two
+    relative errors: violation of the contact conditions over the largest displacement, and error of
+    the load. gap, length, R and E_star are the input values.
     """
 
     q: Array
@@ -87,7 +87,7 @@ def press_strips(
     tolerance: float = 1e-10,
     workers: int = 1,
 ) -> Strips:
-    """Contacts of rollers of the length l under `load` or at `approach`.
+    """Solved contacts of rollers of length l, under a given `load` or at a given `approach`.
 
     `gap` (..., n) is the height z [m] at the centres of the strips. length, relative radius R [m],
     contact modulus E_star [Pa], load [N] or approach [m] are (...). All arguments are broadcast. If

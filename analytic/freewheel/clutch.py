@@ -34,7 +34,7 @@ Material = ContactMaterial  # its name in version 0.1
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class RollerClutch:
-    """Clutch with a cam, rollers of length L, bore r_b of the inner and rim R_a of the outer part.
+    """Cam, rollers of length L, inner part of bore radius r_b and outer part of rim radius R_a.
 
     The star of an inner cam is clamped on its bore. A shaft has a free bore and may be solid
     (r_b = 0). The rim is free. `star` selects the compliance model of the star, see `compliance`.

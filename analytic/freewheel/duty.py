@@ -54,8 +54,8 @@ class Duty:
     """Clutch with the friction mu under a torque and an axial load (both for the whole clutch).
 
     T [N m] is positive in the locking direction; F_ax [N] is not negative. `p_lim` [Pa] is the
-    permissible pressure, if there is one. `e_lim` is the largest permissible e/L of tilted rollers;
-    by default, it is the value at which one end lifts off.
+    permissible pressure, if there is one. `e_lim` is the largest permissible e/L of tilted rollers
+    (see `tilt`); by default, it is the value at which one end lifts off.
     """
 
     clutch: RollerClutch

@@ -20,7 +20,7 @@ from analytic.polyhedral.sector import Complex, Sector
 
 @dataclass(frozen=True, kw_only=True)
 class StiffnessFactors:
-    """Stiffness factors K for three definitions of the expansion j_D/2 of the rim.
+    """Stiffness factors K if the expansion j_D/2 is that at mid-flat, the mean, or at a corner.
 
     A factor is negative if the rim contracts.
     """

@@ -207,7 +207,7 @@ class PolyhedralClutch:
 
     @property
     def _chain(self) -> dict[str, float]:
-        """Arguments of Eq. 20 for torque or pressure as the unknown."""
+        """Arguments of Eq. 20 that torque and required pressure have in common."""
         parts = self.parts
         geometry = {"z": parts.z, "D_i": parts.D_i, "d_i": parts.d_i, "b": parts.b}
         return {"p_1r": self.p_1r, "share": self.hub_share, "mu": self.grip, **geometry}
