@@ -26,7 +26,7 @@ def fem_smeared(q: LoadsInputs, level: int) -> FemResult:
 
 
 def fem_wave(q: LoadsInputs, level: int) -> FemResult:
-    """Deflections of the race under the mean load and the first harmonic along a pitch."""
+    """Deflections of the race under a pressure with the mean value and the first harmonic only."""
     import numpy as np
 
     from fem.plane.material import Elastic

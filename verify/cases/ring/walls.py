@@ -1,4 +1,4 @@
-"""Common parts of circular rings: limits of inputs, finite elements, profiles, sketch."""
+"""Functions for all cases of circular rings: input checks, finite elements, figures."""
 
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, Any

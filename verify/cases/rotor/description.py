@@ -83,7 +83,7 @@ class DiscInputs(NodeInputs):
 
 
 class SpringInputs(Inputs):
-    """Inputs of a bearing's stiffness and damping; omitted values are zero, or equal in x and y."""
+    """Inputs of a bearing's stiffness and damping; if omitted, k_yy is k and c_yy is c."""
 
     k: float = quantity("100 N/µm", "N/µm", "k", "radial stiffness", ge=0, le=1e9)
     kyy: float | None = quantity(

@@ -1,4 +1,4 @@
-"""Roller force of the locked ring: by the paper, and by complex potentials with Hertz."""
+"""Roller force of the locked ring: by the paper, and by complex potentials with Hertz's contact."""
 
 from dataclasses import replace
 from typing import Any, ClassVar, Self
@@ -16,7 +16,7 @@ from verify.cases.polyhedral.thin_ring import SERIES, PolygonSeries
 
 
 class LockedFormulas(PolygonSeries, LockingInputs):
-    """Ring with rigid rollers under pressure and hub force.
+    """Ring under pressure and hub force, with rigid rollers.
 
     `alone` and `soft` are the states under pressure only, with rigid and with elastic rollers.
     """

@@ -23,7 +23,7 @@ PRESSURES = np.linspace(0, 1.2, 9)  # pressures of the dots over p_t
 
 
 def solve(q: LockingInputs, level: int) -> Level:
-    """Results under pressure only, with hub force, and with elastic rollers, for `level`."""
+    """Results for `level`: pressure only, with hub force, with elastic rollers."""
     hub, thick = q.push, q.d_e / 2 - q.apothem > THICK * q.d_e
     fine = 2 * level if thick else level
     alone = locked_fem(q, fine, d=q.d, p=q.p_t)
@@ -64,7 +64,7 @@ def solve(q: LockingInputs, level: int) -> Level:
 
 
 def elastic_rollers(q: LockingInputs, ring: "LockedSector") -> dict[str, float]:
-    """Force [N/m] and half-widths [m] of elastic rollers, and residual of their balance."""
+    """Force [N/m] and half-widths [m] of elastic rollers, and residual of the balance of forces."""
     near, far = ring.half_widths(q.p_t)
     on_roller, on_race = (touch.force[0] for touch in ring.at(q.p_t).touches)
     return {
@@ -79,7 +79,7 @@ def peak(touch: Any) -> float:
 
 
 def supports(q: LockingInputs) -> dict[str, Array]:
-    """Half-widths and load-transfer ratios: arrays for other rollers and for fixed lengths."""
+    """Half-widths [m] and load-transfer ratios: rollers of varied d, and rim fixed over widths."""
     side, rollers = q.d_i * np.sin(q.half_angle), []
     for d in diameters(q):
         ring = locked_fem(q, DRAWN, d=d, p=q.p_t)
@@ -96,6 +96,6 @@ def diameters(q: LockingInputs) -> list[float]:
 
 
 def widths(q: LockingInputs) -> list[float]:
-    """Half-widths [m] of the fixed lengths of the sweep."""
+    """Half-widths [m] of the parts of the rim that are fixed in place of rollers."""
     wall = min(q.d_e / 2 - q.apothem, q.half_angle * q.d_e / 2)
     return [float(w) for w in wall * np.array(STRETCHES)]

@@ -64,7 +64,7 @@ class PolyhedralMap(MapInputs):
 
     @shared
     def flexible_middle(self) -> Array:
-        """Array (flats, 3) of 1/K in its three definitions, for all numbers of flats (series)."""
+        """Array (flats, 3) of 1/K by its three definitions, for all numbers of flats (series)."""
         return self.flexibility(self.at_middle)
 
     @shared
@@ -96,7 +96,7 @@ class PolyhedralMap(MapInputs):
         return fem.solve(self, level)
 
     def comparisons(self) -> Iterator[Comparison | Check]:
-        """Rows: K for the wall and fillet of the inputs, limits of K, and both whole maps."""
+        """Rows: K for the wall and fillet of the inputs, limiting values of K, and both maps."""
         case = PolyhedralMap
         for z in FLATS:
             yield identity(case.K_mid(z), symbol="K_mid", order=4, sensitivity=HALVED,
@@ -134,7 +134,7 @@ class PolyhedralMap(MapInputs):
 def over_map(name: str) -> Callable[[Context], Pair]:
     """Function that returns a pair: 1/K by series and by finite elements where they differ most.
 
-    The series is evaluated in some cells of the map: a third of the flats in every second row. The
+    The series is evaluated for a third of the numbers of flats, in every second row of the map. The
     uncertainty is that of the rings with wall and fillet of the inputs.
     """
 
@@ -159,7 +159,7 @@ def shares(context: Context) -> Pair:
 def falls(context: Context) -> tuple[float, float, str]:
     """Smallest decrease of |K_mid - K_∞| between successive numbers of flats, from 12 flats on.
 
-    The function also returns the uncertainty of the decrease and a text.
+    The uncertainty and the text of the row are also returned.
     """
     limit, over = context.inputs.K_many, [z for z in FLATS if z >= FROM]
     on = [
@@ -183,7 +183,10 @@ def near_lame(context: Context) -> Pair:
 
 
 def draws_in(context: Context) -> tuple[float, float, str]:
-    """Inward displacement -1/K_corner of the corners of a ring with three flats; uncertainty."""
+    """Value -1/K_corner of a ring with three flats; positive if the corners move inwards.
+
+    The uncertainty and the text of the row are also returned.
+    """
     K = context.series(f"K_corner_{FLATS[0]}")[1]
     return -1 / K[-1], 3 * abs(1 / K[-1] - 1 / K[-2]), f"K_corner is {K[-1]:.4g}"
 

@@ -53,7 +53,7 @@ def _map(
 
 
 def _factors(q: Any, context: Context) -> Curves:
-    """Figure of K by three definitions; values beyond the limits are left out."""
+    """Figure of K by three definitions; values beyond the range of the axis are omitted."""
     x = np.log2(np.array(FLATS, dtype=float))
     curves = []
     names = ("K for the middle of the flats", "K for the mean displacement", "K for the corners")

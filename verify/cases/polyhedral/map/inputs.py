@@ -17,7 +17,7 @@ Size = tuple[int, float, float]  # flats, wall [m], fillet [m]
 
 
 class MapInputs(RoundRing):
-    """Inputs of rings with varied flats, wall and fillet.
+    """Inputs of rings with varied number of flats, wall and fillet.
 
     ρ is fixed in the map over walls, δ_1 in the map over fillets.
     """
@@ -53,7 +53,7 @@ class MapInputs(RoundRing):
 
     @property
     def at_middle(self) -> list[Size]:
-        """Rings of the inputs' wall and fillet, one for each number of flats."""
+        """Rings with the wall and fillet of the inputs, one for each number of flats."""
         return [(z, self.delta_1, self.rho) for z in FLATS]
 
     def ring(self, size: Size) -> PolygonRing:

@@ -35,7 +35,7 @@ def solve(q: MapInputs, level: int) -> Level:
 
 
 def _per_p_1(q: MapInputs, size: Size, level: int) -> tuple[float, ...]:
-    """1/K in the middle, by the mean and at corners, and stress of the fillets over σ_t."""
+    """1/K by each of its three definitions, and the ratio of the fillet stress to σ_t."""
     one = q.ring(size)
     solved = pressed_fem(one, level, "plane stress")
     thin = 2 * one.delta_1 * q.E / (one.d_i * one.d_m)  # p_1 over j_D

@@ -105,7 +105,7 @@ class RingPressure(ThinRing):
         return float(p)
 
     def of_wall(self, share: float) -> Self:
-        """The ring with an equal mean diameter d_m and a wall thickness `share` d_m, unchecked."""
+        """The ring with unchanged d_m and the wall `share` d_m; the inputs are not validated."""
         sizes = {"delta_1": share * self.d_m, "d_e": (1 + share) * self.d_m}
         return self.model_copy(update=sizes)
 
@@ -148,7 +148,7 @@ class RingPressure(ThinRing):
         )  # fmt: skip
 
     def comparisons(self) -> Iterator[Comparison]:
-        """Rows: thin ring and Lamé against finite elements, for this and for ever thinner walls."""
+        """Rows: thin ring and Lamé against finite elements, for the given and for thinner walls."""
         ring, wall = RingPressure, {"d_e": self.d_e, "wall": self.delta_1}
         thin = thin_ring.pressure_error(**wall)
         outside = thin_ring.rim_stress_error(**wall)

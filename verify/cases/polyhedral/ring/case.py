@@ -149,7 +149,7 @@ class PolyhedralRing(PolygonSeries, HubRing):
 
     @shared
     def _hubs(self) -> Mapping[str, Any]:
-        """Solutions under the hub force at e, and under its normal part in the corner."""
+        """Solutions under the hub force at e, and under its normal component in the corner."""
         normal, along = self.R_b / np.hypot(1, self.tan_phi) * np.array([1, -self.tan_phi])
         places = {"e": (self.e, along), "corner": (self.sector.half_bore, 0.0)}
         return {
@@ -159,7 +159,7 @@ class PolyhedralRing(PolygonSeries, HubRing):
 
     @shared
     def _lifts(self) -> Mapping[tuple[str, str], float]:
-        """Displacements [m] of the outer surface, by position of the hub force and by place."""
+        """Displacements [m] of points of the outer surface, by (place of hub force, point)."""
         return {
             (at, where): float(u)
             for at, hub in self._hubs.items()

@@ -68,7 +68,7 @@ def both_fem(q: HubRing, level: int) -> Level:
 
 
 def stiffness(q: HubRing, outward: Values) -> dict[str, float]:
-    """K by two definitions, from displacements [m] under `UNIT`; 1/K of corners ("flexibility")."""
+    """K_mid, K_mean and 1/K_corner ("flexibility"), from displacements [m] under `UNIT`."""
     thin = 2 * q.delta_1 * q.E / (q.d_i * q.d_m)  # p_1 over j_D
     per = {where: UNIT / 2 / thin / u for where, u in outward.items()}
     return {"K_mid": per["mid"], "K_mean": per["mean"], "flexibility": 1 / per["corner"]}
@@ -83,7 +83,7 @@ def fillet_fem(q: HubRing, level: int) -> float:
     """Largest hoop stress [Pa] of the fillet when the ring reaches its rollers.
 
     All cells are as coarse as the cells at the fillet. With finer cells only at the fillet, the
-    error of the wall has the opposite sign and a similar size.
+    errors caused by the cells of fillet and wall have opposite signs and similar sizes.
     """
     ring = pressed_fem(q, level, "plane stress")
     return in_fillet_fem(q, ring) * q.j_D / 2 / factors_fem(q, ring)["mid"]

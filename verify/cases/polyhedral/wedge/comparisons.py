@@ -88,7 +88,7 @@ def comparisons(self: WedgeFormulas) -> Iterator[Comparison | Check]:
 
 
 def held(context: Context) -> tuple[float, float]:
-    """Margin, positive if 90 % of N remain with mu 1 % above tan(alpha/2); uncertainty."""
+    """Margin, positive if at least 90 % of N remain for mu 1 % above tan(alpha/2); uncertainty."""
     return float(context.fem[-1].arrays["around"][1] - (1 - 0.1)), 0.0
 
 
@@ -100,7 +100,7 @@ def below(bound: float, array: str, k: int) -> Callable[[Context], tuple[float, 
 def over_angles(context: Context) -> tuple[float, float, str]:
     """Largest deviation of T/(mu N) from tan(alpha/2)/mu, its uncertainty, and a text.
 
-    For rollers that the wedge expels, the difference is the remaining share of N times EXPELLED /
+    For rollers that the wedge expels, the deviation is the remaining share of N times EXPELLED /
     REST.
     """
     share, left, ratio = context.fem[-1].arrays["over angles"]

@@ -31,7 +31,7 @@ def pressed_fem(q: WedgeInputs, down: float, *, half: float, mu: float) -> tuple
 
 
 def least_fem(q: WedgeInputs, down: float, share: float) -> tuple[float, float]:
-    """Smallest friction coefficient that holds the roller, sought near `share`; uncertainty."""
+    """Smallest mu that holds the roller, sought near `share` = T/N, and its uncertainty."""
     from fem.contact.wedged_states import least_friction
 
     return least_friction(lambda mu: pressed_fem(q, down, half=q.half, mu=mu)[0], share)

@@ -27,7 +27,7 @@ ACROSS = np.linspace(-0.95, 0.95, 39)  # positions of the tractions over the hal
 
 
 def solve(q: WedgeInputs, level: int) -> Level:
-    """Results for `level`: free, caged, near the limit, released, loaded in steps."""
+    """Results for `level`: free, caged and released roller, limit of friction, loading in steps."""
     from fem.contact.wedged import Geometry, Wedge
     from fem.contact.wedged_states import slipping, uneven
 

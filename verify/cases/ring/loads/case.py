@@ -23,7 +23,7 @@ READINGS = (
 
 
 class SpragRace(SpragLoads):
-    """Common part of the cases of the outer race and of the inner race under sprags."""
+    """Base class of the two cases: outer race and inner race under sprags."""
 
     levels: ClassVar = (8, 12, 16)
     assumptions: ClassVar = (

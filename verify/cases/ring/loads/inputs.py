@@ -62,7 +62,7 @@ class LoadsInputs(Case):
 
     @property
     def half_width(self) -> float:
-        """Half-width of Hertz's contact [m]; the loaded patch of finite elements is as wide."""
+        """Half-width [m] of Hertz's contact, and of the loaded patch in the finite elements."""
         bend = 1 / self.R + (-1 if self.loaded == "bore" else 1) / self.radius
         return math.sqrt(8 * self.P * (1 - self.nu**2) / (math.pi * self.E * bend))
 
@@ -91,7 +91,7 @@ class LoadsInputs(Case):
             raise ValueError(
                 f"n = {self.n} patches of half-width {a * 1e3:.3g} mm are too close on the "
                 f"wall (pitch {2 * pitch * 1e3:.3g} mm): the half-width must not exceed "
-                f"{CLOSEST:g} of pitch/2; reduce n or F"
+                f"{CLOSEST:g} times pitch/2; reduce n or F"
             )
         return self
 

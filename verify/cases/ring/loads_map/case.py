@@ -113,7 +113,7 @@ class LoadsMap(Case):
 
     @shared
     def _over_eq_6(self) -> Mapping[Point, Array]:
-        """Displacements of the bore at a load and between loads, over Eq. 6, by point."""
+        """Ratios of the displacements at a load and between loads to that by Eq. 6, by point."""
         found = {}
         for at in CHECKED:
             ring = LoadedRace(

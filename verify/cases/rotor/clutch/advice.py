@@ -56,7 +56,7 @@ def summary(q: ClutchStiffness) -> Mapping[str, Any]:
 
 
 def open_slices(q: ClutchStiffness, key: str) -> int:
-    """Number of slices without contact in an uneven state."""
+    """Number of slices, over all sprags, that have no contact in the state `key`."""
     state = q.in_state[key]
     return int((state.sums.deformation(state.at_T) <= 0).sum())
 

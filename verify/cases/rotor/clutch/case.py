@@ -65,7 +65,7 @@ class ClutchLink(ClutchStiffness):
     refusal = advised.refusal
 
     def reference(self, level: int) -> Level:
-        """Struts in all states, with `level` slices for each sprag."""
+        """Results of struts in all states, with `level` slices for each sprag."""
         from verify.cases.rotor.clutch.reference import solve
 
         return solve(self, level)

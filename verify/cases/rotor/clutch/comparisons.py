@@ -1,4 +1,4 @@
-"""Rows of a clutch's formulas against struts: closed forms, uneven states, limits, misprints."""
+"""Rows that compare the formulas of a clutch with struts, and rows on the paper's misprints."""
 
 import math
 from collections.abc import Callable, Iterator, Sequence
@@ -137,7 +137,7 @@ def _balances(q: ClutchStiffness) -> Iterator[Comparison]:
 
 
 def _limits(q: ClutchStiffness) -> Iterator[Comparison]:
-    """Rows on limits of the stiffness of struts: small wedge angle, deflection and offset."""
+    """Rows on limiting cases: wedge angle, deflection or offset approaches zero."""
 
     def over_angle(levels: Sequence[Level]) -> Points:
         """Error of Eq. 3 over sin ν, at equal normal forces."""
@@ -146,7 +146,7 @@ def _limits(q: ClutchStiffness) -> Iterator[Comparison]:
         return sines, (HARD * q.K_xx / K - 1).tolist(), [1e-13] * len(sines)
 
     def over_yield(levels: Sequence[Level]) -> Points:
-        """1 - struts/formula over the deflection of the contacts, delta_0/l, with pinned ends."""
+        """Relative deviation of K_zz by pinned struts from the formula, over delta_0/l."""
         K = levels[-1].arrays["K_zz over deflection, pinned"]
         eps = [q.delta_0 / s / (q.R_e - q.R_i) for s in reversed(STIFFER)]
         d = (1 - K / (q.K_zz * np.array(STIFFER)))[::-1]
@@ -155,8 +155,8 @@ def _limits(q: ClutchStiffness) -> Iterator[Comparison]:
     def over_offset(levels: Sequence[Level]) -> Points:
         """Relative error of the first-order coupling, with Eq. 3 corrected, over dx/delta_0.
 
-        The uncertainty is the next term of the series, and round-off: the coupling is a small
-        difference of large entries.
+        The uncertainty is the sum of the next term of the series and of round-off. Round-off
+        matters because the coupling is a small difference of large numbers.
         """
         K = levels[-1].arrays["K_xz over small offsets"]
         formula = q.K_xz_first * np.array(SMALL) * q.delta_0 / q.e
@@ -177,9 +177,9 @@ def _facts(q: ClutchStiffness) -> Iterator[Comparison | Check]:
     """Rows on the tangent stiffness, the number of displacements and the contact exponent."""
 
     def by_differences(_: Context) -> tuple[float, float, str]:
-        """Tangent stiffness with missing sprags, against differences of the loads.
+        """Largest deviation of the tangent stiffness from central differences of the loads.
 
-        With missing sprags, no entry of the matrix is zero.
+        Some sprags are missing, so that no entry of the matrix is zero. A text is also returned.
         """
         gap = q.in_state["gap"]
         size = np.array([1.0, 1.0, q.L, q.L, q.d_t])
@@ -229,7 +229,7 @@ def _facts(q: ClutchStiffness) -> Iterator[Comparison | Check]:
 
 def _misprints(q: ClutchStiffness) -> Iterator[Check]:
     def one_angle(_: Context) -> tuple[float, str]:
-        """Positive margin if Eq. 9 with psi_i gives no stiffness, but a force without motion."""
+        """Positive margin if Eq. 9 with psi_i gives K = 0, but a force without displacement."""
         K = printed.radial_stiffness(q.sums, q.at_T)
         F = printed.radial_force(q.sums, q.at_T)
         share = abs(K) / q.K_xx

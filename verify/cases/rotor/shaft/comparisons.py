@@ -1,4 +1,4 @@
-"""Rows of a uniform rotating shaft: beams against beams, elasticity, the elastic body; limits."""
+"""Rows of a uniform rotating shaft: beams and finite elements against exact solutions."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
@@ -41,7 +41,7 @@ Points = tuple[list[float], list[float], list[float]]
 
 
 def rows(beam: BeamTheories) -> Iterator[Comparison | Check]:
-    """All rows: beams, elasticity and elastic body compared, limits, orders of convergence."""
+    """All rows of the case, in the order of the report page."""
     yield from _beams(beam)
     yield from _bodies(beam)
     yield from _neglected(beam)
@@ -102,7 +102,7 @@ def _beams(beam: BeamTheories) -> Iterator[Comparison]:
 
 
 def _bodies(beam: BeamTheories) -> Iterator[Comparison]:
-    """Rows of the elastic body against elasticity, and of both gyroscopic splittings."""
+    """Rows of the body against exact elasticity, and of the gyroscopic splitting of both models."""
     shaft, exact = BeamTheories, _elasticity(beam)
     yield _whirl(shaft.pochhammer, "solid_at_rest_1",
                  "elastic body: frequency of mode 1 at rest (Pochhammer's equation)",
@@ -153,7 +153,8 @@ def _orders(beam: BeamTheories) -> Iterator[Comparison]:
 def _euler_limit(beam: BeamTheories, levels: Any) -> Points:
     """Error of Euler's beam at rest against the elastic body, for increasing slenderness.
 
-    The uncertainty includes mesh differences and neglected terms, (k r)^2 of the error.
+    The uncertainty includes the change on the last refinement of the mesh, and the neglected
+    terms, (pi/2 d/L)^2 of the error.
     """
     runs = np.array([r.arrays["limit"] for r in levels])
     formula = [beam.shaft(L=beam.d_o / x).whirl(1, theory="euler")[0] for x in RATIOS]
@@ -173,7 +174,7 @@ def _timoshenko_limit(beam: BeamTheories) -> Points:
 
 
 def _within_ceiling(beam: BeamTheories, context: Context) -> Pair:
-    """Frequencies of Timoshenko's beam and the body in the mode (1 to 3) of largest difference."""
+    """Frequencies of Timoshenko's beam and the body, for the mode (1 to 3) that differs most."""
     runs = [context.series(f"solid_at_rest_{j}")[1] for j in MODES]
     beams, bodies = (np.array(v) for v in ([beam.at_rest(j) for j in MODES],
                                            [v[-1] for v in runs]))  # fmt: skip

@@ -73,7 +73,7 @@ def elements(q: TurningShaft, level: int) -> dict[str, float]:
 
 
 def weak_forms(q: TurningShaft, level: int) -> dict[str, float]:
-    """Beam of the shaft as a weak form."""
+    """Whirl frequencies of the shaft as a beam in weak form, by all theories."""
     s = q.shaft()
     mesh = MeshLine(np.linspace(0, q.L, BEAMS * level + 1))
     values: dict[str, float] = {}
@@ -88,7 +88,7 @@ def weak_forms(q: TurningShaft, level: int) -> dict[str, float]:
 
 
 def body(q: TurningShaft, L: float, level: int, *, half: bool = False) -> RotatingSolid:
-    """Elastic body, supported transversely at its ends, or its `half` with symmetry at L/2."""
+    """Elastic body, supported transversely at its ends; if `half`, only the half up to L/2."""
     cells = level * ALONG // (2 if half else 1)
     across = (level + 1) // 2 if half else level
     mesh = section(

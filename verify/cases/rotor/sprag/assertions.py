@@ -54,12 +54,12 @@ def base(a: Arrays) -> Array:
 
 
 def outer_peaks(a: Arrays, *orders: int, last: int = OUTER) -> Array:
-    """Peaks (m, orders, nodes) of nodes 1 to `last` of the outer rotor, at critical speeds."""
+    """Peaks (m, orders, nodes) of outer-rotor nodes 1 to `last`, at critical speeds `orders`."""
     return base(a)[:, [ORDERS.index(k) for k in orders], :last]
 
 
 def outer(a: Arrays, node: int, *orders: int, last: int = OUTER) -> Members:
-    """Whether `node` has the highest peak of nodes 1 to `last`, at each critical speed."""
+    """Whether `node` has the highest peak of nodes 1 to `last`, at all critical speeds `orders`."""
     of = outer_peaks(a, *orders, last=last)
     return np.asarray((of.argmax(axis=2) == node - 1).all(axis=1))
 
@@ -121,7 +121,7 @@ def inverse_inertia(a: Arrays, order: int) -> Array:
 
 
 def torsion(a: Arrays) -> Array:
-    """Torsion amplitudes at the critical speeds, which exist even where a curve has no peak."""
+    """Torsion amplitudes at the critical speeds; they exist even where a curve has no peak."""
     return a["torsion"]
 
 

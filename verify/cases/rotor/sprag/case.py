@@ -67,17 +67,17 @@ class SpragRotor(CentralSystem):
     sketch = tabulated.sketch
 
     def reference(self, level: int) -> Level:
-        """Beams with fitted mid-range parameters; on the mesh of the paper, also the ensemble."""
+        """Results of the fitted mid-range system; on the mesh of the paper, also the ensemble."""
         from verify.cases.rotor.sprag.reference import solve
 
         return solve(self, level)
 
     def comparisons(self) -> Iterator[Comparison | Check]:
-        """Rows on exact, fitted, linear and elastic results, and on the paper's statements."""
+        """Rows on elements, fitted speeds, linear dynamics, elastic bodies, printed statements."""
         yield from (*IDENTITIES, *FITTED_SPEEDS, *LINEAR_ROWS, *ELASTIC, *SHARES)
 
     def advice(self) -> Iterator[str]:
-        """Critical speeds, difference of the rig's speed from the nearest, and sprag deflection."""
+        """Critical speeds, difference of the rig's speed from the nearest one, sprag deflection."""
         found = {k: self.critical_forward(k) for k in ORDERS}
         speeds = ", ".join(f"{n / RPM:.0f}" for n in found.values())
         near = min((abs(self.rig_speed / n - 1), k) for k, n in found.items())

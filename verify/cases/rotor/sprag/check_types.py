@@ -69,8 +69,8 @@ class Share(Claim):
 class Claimed(Share):
     """A statement of the paper, evaluated for the sets in which all compared peaks exist.
 
-    The statement is also evaluated with opposite unbalances. It contains only nodes, no values of
-    the response.
+    The statement is also evaluated with opposite unbalances. The numbers that the paper prints in
+    its statements are node numbers, not values of the response.
     """
 
     statement: Statement
@@ -183,7 +183,7 @@ class FittedTo(Claim):
 
 @dataclass(frozen=True, kw_only=True)
 class Drawn(Claim):
-    """Counts of nodes and node numbers of the model, compared with the figure of the paper."""
+    """Node numbers and unknowns per node of the model, compared with the printed ones."""
 
     kind = Kind.FACT
 

@@ -40,7 +40,7 @@ def printed_bound(context: Context) -> tuple[float, float, str]:
 
 
 def coarse(context: Context) -> Pair:
-    """Frequency or critical speed of largest error: exact model and 20 elements."""
+    """Frequency or critical speed with the largest error, by the exact model and 20 elements."""
     keys = (*FREQUENCIES, *(f"critical_forward_{k}" for k in ORDERS))
     v = context.fem[0].values
     exact = np.array([context.analytic[key] for key in keys])

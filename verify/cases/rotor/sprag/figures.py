@@ -155,7 +155,7 @@ def over_unbalance(context: Context, a: Arrays) -> tuple[Curves, ...]:
 
 
 def torsion(context: Context, a: Arrays) -> Curves:
-    """Figure of the torsion of node 19 over the offset, in proportion to small offsets."""
+    """Figure of the torsion of node 19 over the offset, scaled linearly from a small offset."""
     offsets = np.linspace(SMALL_OFFSETS[0], max(context.inputs.offset, SMALL_OFFSETS[-1]), 12)
     slopes = a["torsion, small offsets"][:, -1, :, DISCS[1] - 1] / SMALL_OFFSETS[-1] / um
     low, middle, high = np.percentile(slopes, (5, 50, 95), axis=0)

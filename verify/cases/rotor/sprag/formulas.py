@@ -1,4 +1,4 @@
-"""The system fitted from mid-range parameters by exact transfer matrices, and its clutch."""
+"""Exact transfer matrices of the system fitted from mid-range parameters, and its clutch."""
 
 from math import atan, pi
 from typing import Any, Literal
@@ -71,7 +71,7 @@ def rotor() -> transfer.TransferMatrixRotor:
 
 
 def coupling(offset: float) -> float:
-    """Coupling K_xz [N/rad] of the clutch of this rotor if its rings are offset along x.
+    """Coupling K_xz [N/rad] of the clutch of the fitted mid-range system; rings offset along x.
 
     `offset` is the ratio of the offset to the sprag deflection.
     """
@@ -79,7 +79,7 @@ def coupling(offset: float) -> float:
 
 
 def uneven(offset: float) -> Array:
-    """Stiffness K (5, 5) of the clutch of this rotor if its rings are offset along x.
+    """Stiffness K (5, 5) of the clutch of the fitted mid-range system; rings offset along x.
 
     `offset` is the ratio of the offset to the sprag deflection of 1 µm. K depends on this ratio
     only.

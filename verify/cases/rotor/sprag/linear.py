@@ -75,7 +75,7 @@ def exponents(a: dict[str, Array]) -> Array:
 def linear(context: Context) -> Pair:
     """Exponent of the power law of torsion over the offset, and the expected exponent 1.
 
-    The member with the largest difference is taken.
+    The returned exponent is that of the member with the largest difference from 1.
     """
     found = exponents(dict(arrays(context)))
     return farthest(found, np.ones_like(found), 0.0)
@@ -107,10 +107,10 @@ def never_between(context: Context) -> tuple[float, str]:
 
 
 def at_two_nodes(context: Context) -> tuple[float, str]:
-    """Margin: positive if unbalance 1 is not at the node that the paper states as the highest peak.
+    """Positive margin if unbalance 1 is not at the node with the highest peak, both as printed.
 
-    The text states in how many sets node 11 has the highest peak, with unbalance 1 at node 4
-    (figure) and at node 11 (text of the paper). The text of the row is also returned.
+    The text of the row is also returned. It states in how many sets node 11 has the highest peak,
+    with unbalance 1 at node 4 (figure of the paper) and at node 11 (text of the paper).
     """
     a = dict(arrays(context))
     highest = next(s for s in STATEMENTS if s.name.endswith("1 to 11 at critical speeds 3 and 5"))

@@ -66,7 +66,7 @@ def beams_fem(q: SpragRotorInputs, refine: int) -> dict[str, float]:
 
 
 def critical_fem(members: Array) -> dict[str, Array]:
-    """Critical speeds (m, 3), by name: both senses of whirl, and without parts of the clutch."""
+    """Critical speeds (m, 3): by sense of whirl, and without parts of the clutch stiffness."""
     from fem.rotor.critical import critical_speeds
 
     count = len(ORDERS)

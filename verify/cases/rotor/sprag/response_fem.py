@@ -104,7 +104,7 @@ def peaks_fem(f: Array) -> Array:
 
 
 def torsion_fem(q: SpragRotorInputs, p: Array, zeta: Array, even: Any) -> dict[str, Array]:
-    """Torsion amplitudes (3, 22) at the critical speeds, with and without offset, and momenta."""
+    """Torsion (3, 22) at the critical speeds, with and without offset; angular momenta."""
     from fem.rotor.response import unbalance_response
 
     def offset_by(offset: float) -> Any:

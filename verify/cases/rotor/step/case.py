@@ -114,7 +114,7 @@ class SteppedBeam(SteppedShaft):
 
     @shared
     def _coarse(self) -> Self:
-        """The beam with half as many slices in the cones: four times the slicing error."""
+        """The beam with half as many slices in the cones, and four times the slicing error."""
         return self.variant(cone=True, slices=SLICES // 2)
 
     def _slice_error(self, j: int) -> float:
@@ -137,7 +137,7 @@ class SteppedBeam(SteppedShaft):
         return solve(self, level)
 
     def comparisons(self) -> Iterator[Comparison]:
-        """Rows of beams against beams and against the body, and rows of conclusions."""
+        """Rows of beams against other beam models and the body, and rows of conclusions."""
         yield from self._beams()
         yield from self._inertia()
         yield from self._against_body()
@@ -239,7 +239,7 @@ class SteppedBeam(SteppedShaft):
         )
 
     def _beyond_claim(self, context: Context) -> tuple[float, float, str]:
-        """Amount by which the error at the step exceeds 0.3 %."""
+        """Amount by which the relative frequency error of mode 1 exceeds 0.3 %."""
         (m, *_), U = self._errors(context, self)
         return float(m) - CLAIMED, U, f"the frequency error of mode 1 is {m:+.2%}"
 

@@ -29,7 +29,7 @@ ROUND = 1e-9  # relative round-off of frequencies of slender shafts
 
 
 def solve(q: SteppedShaft, level: int) -> Level:
-    """Results of all models on a level; level `MAPPED` also gives the map of errors."""
+    """Results of all models on the mesh of a level; level `MAPPED` also has the map of errors."""
     values = elements(q, level)
     weak = {"weak": weak_form(q, level), "weak_cone": weak_form(q, level, cone=True)}
     for name, shaft in weak.items():
@@ -62,7 +62,7 @@ def elements(q: SteppedShaft, level: int) -> dict[str, float]:
 
 
 def beam(q: SteppedShaft, refine: int) -> Rotor:
-    """Beam with nominal diameters; `refine` elements in each piece between steps and seats."""
+    """Beam with nominal diameters; `refine` elements between adjacent steps and seats."""
     steel = Material(E=q.E, nu=q.nu, rho=q.rho)
     inside = [
         Element(high - low, q.d_2 if q.start < (low + high) / 2 < q.end else q.d_1, 0.0, steel)
@@ -81,7 +81,7 @@ def weak_form(q: SteppedShaft, level: int, *, cone: bool = False) -> WeakShaft:
 
 
 def body(q: SteppedShaft, level: int, first: float, *, half: bool = False) -> RotatingSolid:
-    """Elastic body; springs act on the mean motion of each seat; `half`: half of the body."""
+    """Elastic body with springs on the mean motion of each seat; if `half`, half of the body."""
     parts = [q.parts[0], (q.L_2 / 2, q.d_2, 0.0)] if half else q.parts
     seats = {"left": (0.0, q.b)} | ({} if half else {"right": (q.L - q.b, q.L)})
     mesh = stepped_section(parts, bands=seats, first=first * q.d_1, refine=level)
@@ -119,7 +119,7 @@ def _half_at_rest(q: SteppedShaft, ratio: float, share: float, level: int, first
 
 
 def _errors(q: SteppedShaft, ratio: float, share: float) -> tuple[float, float]:
-    """Errors of mode 1 at rest of the beam with nominal diameters and by the 45° rule."""
+    """Errors of mode 1 at rest: beam with nominal diameters, beam by the 45° rule."""
     exact = _half_at_rest(q, ratio, share, 1, MAP_FIRST)
     own = q.with_middle(ratio, share)
     drawn, cone = (weak_form(own, MAPPED, cone=c).whirl(0.0, count=1)[0][0] for c in (False, True))

@@ -24,7 +24,7 @@ rotor = TransferRotor
 
 @dataclass(frozen=True, kw_only=True)
 class Present(Identity):
-    """A row that exists only if the rotor has its critical speed, link or unbalance."""
+    """A row that exists only if the rotor has the compared critical speed, link or unbalance."""
 
     def rows(self, context: Context) -> list[Row]:
         return super().rows(context) if self.analytic in context.analytic else []
@@ -122,7 +122,7 @@ def _accepted(q: TransferRotor, name: str, level: int, figure: float) -> Compari
 
 
 def _senses(context: Context) -> tuple[float, float]:
-    """Positive margin if the senses of whirl of all modes agree."""
+    """Positive margin if transfer matrices and beams give the same sense of whirl for each mode."""
     v = context.fem[-1].values
     keys = [k for k in context.analytic if k.startswith("sense_")]
     equal = all(v[k] == context.analytic[k] for k in keys)

@@ -17,7 +17,7 @@ Array = NDArray[np.float64]
 
 
 def _found(group: int) -> Any:
-    """Function that returns whether shafts of speed group `group` excite `k` critical speeds."""
+    """Function that returns if shafts of speed group `group` excite at least k critical speeds."""
 
     def has(q: Any, k: int) -> bool:
         excited = q.study.excited
@@ -108,7 +108,7 @@ class TransferRotor(DescribedRotor):
 
     @shared
     def speed_axis(self) -> float:
-        """Upper end [rad/s] of the speed axes, beyond the lowest critical speed above operation."""
+        """Upper end [rad/s] of speed axes; they include the next critical speed above operation."""
         top = max(self.speed_to, self.speed)
         above = [w for excited in self.study.excited for w in excited.speeds if w > top]
         return float(max(1.2 * top, 1.1 * min(above, default=0.0)))

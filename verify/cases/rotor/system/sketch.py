@@ -64,7 +64,7 @@ def sketch(q: DescribedRotor) -> Sketch:
 
 
 def _radius(q: DescribedRotor, lines: list[tuple[Any, Any]], station: int) -> float:
-    """The larger outer radius at a station [m]."""
+    """Outer radius [m] at a station; at a step, the larger of the two radii."""
     z, r = lines[q.rotor.shaft_of[station]]
     at = q.places[station]
     return float(r[np.isclose(z, at, rtol=0, atol=1e-9 * (1 + abs(at)))].max())

@@ -70,7 +70,7 @@ class DescribedRotor(CoaxialRotor):
         )
 
     def _springs(self) -> tuple[tuple[StationSupport, ...], tuple[StationLink, ...]]:
-        """Bearings and links; raises EntryError for an invalid coefficient or two equal nodes."""
+        """Bearings and links; raises EntryError for bad coefficients or links with equal nodes."""
         supports, links = [], []
         for k, entry in enumerate(self.supports, start=1):
             try:

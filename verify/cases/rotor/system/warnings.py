@@ -87,7 +87,7 @@ def _damping(q: DescribedRotor) -> Iterator[str]:
 
 
 def _short(q: DescribedRotor) -> Iterator[str]:
-    """Warnings on short lengths of constant diameter; adjacent equal segments are one length."""
+    """Warnings on short lengths of constant diameter; adjacent equal segments count as one."""
     runs: list[list[Placed]] = []
     for s in placed(q):
         last = runs[-1][-1].segment if runs else None

@@ -1,4 +1,4 @@
-"""Statements on a sprag clutch: verdict, limits, warnings, and reasons for no reference."""
+"""Statements on a sprag clutch: verdict, limits, warnings, reasons why no reference exists."""
 
 import math
 from collections.abc import Sequence

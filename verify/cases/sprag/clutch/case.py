@@ -73,7 +73,7 @@ class SpragClutch(ClutchFormulas):
     refusal = advised.refusal
 
     def reference(self, level: int) -> Level:
-        """Reference: profile computed point by point, strips, computed engagements."""
+        """Results of the profile computed point by point, strips and computed engagements."""
         from verify.cases.sprag.clutch.reference import solve
 
         return solve(self, level)

@@ -1,4 +1,4 @@
-"""Statements on an engagement, and the common verdict of statics and engagement."""
+"""Statements on an engagement, and one verdict on statics and engagement together."""
 
 import math
 from collections.abc import Sequence
@@ -40,7 +40,10 @@ DECAYS = 5.0  # time constants of a force that creeps
 
 
 def overall(q: ClutchFormulas, v: Values) -> tuple[str, tuple[str, ...]]:
-    """The worse of two verdicts (at rest, in time), and two sentences on both."""
+    """The worse of two verdicts (at rest, on the engagement), and two sentences.
+
+    The first sentence states both verdicts, the second the reason of the verdict at rest.
+    """
     still, moving = verdict(q), in_time(q, v)
     worst = max(still, moving, key=WORSE.index)
     if still == moving and still in ("holds", "overloaded", "rolls over"):

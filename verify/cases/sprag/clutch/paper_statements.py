@@ -28,10 +28,10 @@ def rectangle(q: EngagementInputs) -> tuple[float, float]:
 
 
 def length(context: Context) -> tuple[float, float, str]:
-    """Relative distance of l from the nearer end of the interval of a rectangle's length.
+    """Relative distance of l from the nearer bound of the length of a rectangular sprag.
 
-    The interval follows from rounding of m_g and I_g. The uncertainty and the text of the row are
-    also returned.
+    The bounds follow from the rounding of the printed m_g and I_g. The uncertainty and the text of
+    the row are also returned.
     """
     q = context.inputs
     w, l = rectangle(q)  # noqa: E741
@@ -47,7 +47,7 @@ def length(context: Context) -> tuple[float, float, str]:
 
 
 def corners(q: EngagementInputs) -> tuple[tuple[float, float], tuple[float, float]]:
-    """Width and length [m] of the shortest and the longest rectangle, by rounding of m_g, I_g."""
+    """(Width, length) [m] of the shortest and longest rectangle within the rounding of m_g, I_g."""
     found = [
         rectangle(q.model_copy(update={"m_g": q.m_g + a * ROUNDED["m_g"],
                                        "I_g": q.I_g + b * ROUNDED["I_g"]}))
@@ -58,7 +58,7 @@ def corners(q: EngagementInputs) -> tuple[tuple[float, float], tuple[float, floa
 
 
 def width(context: Context) -> tuple[float, float, str]:
-    """Positive margin if N_max changes by less than 0.5 % with the rectangle's width as b.
+    """Positive margin if N_max changes by less than 0.5 % with b set to the width of `rectangle`.
 
     The uncertainty and the text of the row are also returned.
     """
@@ -138,9 +138,10 @@ def ends_carry(context: Context) -> tuple[float, float, str]:
 
 
 def grows(context: Context) -> tuple[float, float, str]:
-    """Positive margin if each doubling of slices raises the peak by more than the previous one.
+    """Positive margin if each doubling of the slices raises p_max by more than the previous one.
 
-    The peak is that without a crown. The text states pressures and slope.
+    p_max is the largest pressure without a crown. The uncertainty and the text of the row are also
+    returned.
     """
     found = measured(context)
     n, p = found["flat, counts"], found["flat, peaks"]
@@ -155,7 +156,12 @@ def grows(context: Context) -> tuple[float, float, str]:
 
 
 def ratios(context: Context) -> tuple[float, float, str]:
-    """Distance of the computed ratio of forces from those required by printed pressures."""
+    """Distance of a computed ratio of forces from the nearer of two required ratios.
+
+    It is the ratio of the force at 40 N m to that at 25 N m. The printed pressures without and with
+    the optimal crown require two ratios; the result is positive between them. The uncertainty and
+    the text of the row are also returned.
+    """
     found = measured(context)
     computed = float(found["N_max"][1] / found["N_max"][0])
     flat, best = ((PRINTED[40.0][k] / PRINTED[25.0][k]) ** 2 for k in (0, 1))

@@ -37,7 +37,7 @@ def arc(centre: Array, r: float, low: float, high: float, n: int = 41) -> Array:
 
 
 def sketch(q: SpragInputs) -> Sketch:
-    """Sketch at first contact: axis O below, pole C_e and B above it, A to the right."""
+    """Sketch at first contact: axis O below, points C_e (pole) and B above O, A to the right."""
     sprag, height = drawn(q), q.R_e - q.R_i
     low, high = max(q.R_id, q.R_i - WALL * height), min(q.R_ed, q.R_e + WALL * height)
     beta, eta = float(sprag.beta_0), float(sprag.eta_0)

@@ -213,7 +213,7 @@ class SpragCrown(EngagementInputs, Case):
     summary = advised.summary
 
     def reference(self, level: int) -> Level:
-        """Reference: numerical profiles, and strips under the forces of computed engagements."""
+        """Results of numerical profiles, and of strips under the forces of computed engagements."""
         from verify.cases.sprag.crown.reference import solve
 
         return solve(self, level)

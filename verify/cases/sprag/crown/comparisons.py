@@ -54,10 +54,11 @@ MOST = 0.5  # per cent above which z_m would have a larger effect than K_1
 
 
 def near(q: Any, _values: Any) -> tuple[float, float] | None:
-    """Interval of the relative error of pressures proportional to √N; None for user inputs.
+    """Interval of the relative error of pressures (proportional to √N); None for user inputs.
 
-    The interval contains two differences: slices against strips, and two races on a spring against
-    the equations of motion with all sprags. No tolerance is stated for a user's inputs.
+    The interval includes the differences between slices and strips, and between a model of two
+    races on a spring and the equations of motion with all sprags. No tolerance is stated for a
+    user's inputs.
     """
     if not q.is_default:
         return None
@@ -83,7 +84,7 @@ def drops(q: EngagementInputs, crowns: Array) -> Array:
 def straight_and_ends(context: Context) -> tuple[float, float]:
     """Smallest of three margins on the drops of the crowns of Eq. 19, and its uncertainty.
 
-    1. The straight length differs from (1 - K_2) l by less than 2.5 of MEAN_OF points.
+    1. The straight length differs from (1 - K_2) l by less than 2.5 l/MEAN_OF.
     2. The drop does not exceed z_m.
     3. The drop does not decrease if K_1, K_2 or z_m increases.
     """
@@ -114,7 +115,7 @@ def z_m_is_not_the_mean(context: Context) -> tuple[float, float, str]:
 
 
 def inner_above(context: Context) -> tuple[float, float]:
-    """Smallest ratio, over all crowns, of the largest inner to the largest outer p, minus 1."""
+    """Ratio of p_max of the inner to that of the outer contact, minus 1; smallest of all crowns."""
     return float(context.fem[-1].arrays["inner/outer"].min()) - 1, 1e-6
 
 

@@ -107,7 +107,7 @@ def along(context: Context) -> Curves:
 
 
 def by_force(context: Context) -> Curves:
-    """Figure over the force: ratio of the largest pressure to the uniform pressure, two crowns."""
+    """Figure of the ratio of the largest to the uniform pressure over the force, for two crowns."""
     q, found = context.inputs, context.fem[-1].arrays
     N = found["swept"]
     base = np.array([even(q, float(x)) for x in N])
@@ -169,7 +169,7 @@ def above(found: Mapping[str, Array]) -> Curves:
 
 
 def suits(context: Context) -> Curves:
-    """Figure over torque of K_1 of the crown with the lowest pressure, with printed values."""
+    """Figure of K_1 of the crown with the lowest pressure over torque, with printed values."""
     found, Q = context.fem[-1].arrays, crowned_for(context.inputs)
     T = found["band T"]
     return plot(

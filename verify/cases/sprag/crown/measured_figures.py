@@ -28,7 +28,7 @@ def number(crown: tuple[float, float, float]) -> int:
 
 
 def ordered(found: Mapping[str, Array], by: str) -> Array:
-    """Mask (forces,): optimal and worst crown of Fig. 12 have the lowest and the highest p_max."""
+    """Mask (forces,), true if p_max is lowest for the optimal and highest for the worst crown."""
     p = found[f"swept, {by}"]
     best, worst = map(number, FIG_12)
     return np.asarray((p.argmin(axis=0) == best) & (p.argmax(axis=0) == worst))
@@ -41,7 +41,7 @@ def window(found: Mapping[str, Array], by: str) -> str:
 
 
 def first_peaks(found: Mapping[str, Array]) -> str:
-    """Text on the range of torques whose first peaks, by slices, have the order of Fig. 12."""
+    """Text on the torques at whose first peaks the crowns, by slices, have the order of Fig. 12."""
     N, peaks = found["swept"][ordered(found, "slices")], found["named N"][number(FIG_12[0])]
     T = np.interp(N, [0.0, *peaks], [0.0, *found["torques"]])
     return f"under {T.min():.0f} to {T.max():.0f} N m" if T.size else "under no torque"
@@ -139,7 +139,7 @@ def order_at(which: int) -> Margin:
 
 
 def above_lowest(context: Context, which: int) -> tuple[float, str]:
-    """Ratio of p_max of the crown `which` of Fig. 14 to the lowest p_max of Eq. 19, minus 1.
+    """Ratio of p_max of crown `which` (Fig. 14) to the lowest p_max of crowns of Eq. 19, minus 1.
 
     The text of the row is also returned.
     """

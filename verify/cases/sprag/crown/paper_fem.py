@@ -43,7 +43,7 @@ def paper_fem(q: EngagementInputs, few: Peaks) -> dict[str, Array]:
 
 
 def swept(q: EngagementInputs) -> dict[str, Array]:
-    """Largest pressures [Pa] of the printed crowns at several forces, by slices, by strips."""
+    """Largest pressures [Pa] of the printed crowns at several forces, by slices and by strips."""
     R = np.array([radius(q, float(N)) for N in SWEPT])
     by_slices, by_strips = [], []
     for crown in DESIGNS:

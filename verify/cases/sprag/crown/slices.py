@@ -15,8 +15,8 @@ WITHIN = 5e-3
 def hardly_by_slices(context: Context) -> tuple[float, float, str]:
     """Positive margin if p_max depends little on the number of slices: its spread is below WITHIN.
 
-    The text also states the pressures by strips. The uncertainty and the text of the row are also
-    returned.
+    The uncertainty and the text of the row are also returned. The text includes the pressures by
+    strips.
     """
     found = context.fem[-1].arrays
     enough = found["counts"] >= FROM
