@@ -34,13 +34,13 @@ class SegmentInputs(Inputs):
 
 
 class NodeInputs(Inputs):
-    """Common inputs of elements at a node."""
+    """Inputs that all elements at a node have."""
 
     node: int = count(1, "", "node", ge=1, le=10_000)
 
 
 class BetweenInputs(NodeInputs):
-    """Common inputs of elements between two nodes."""
+    """Inputs that all elements between two nodes have."""
 
     to: int = count(2, "", "node on the other shaft", ge=1, le=10_000)
 

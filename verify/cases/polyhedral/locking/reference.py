@@ -79,7 +79,7 @@ def peak(touch: Any) -> float:
 
 
 def supports(q: LockingInputs) -> dict[str, Array]:
-    """Half-widths [m] and load-transfer ratios: rollers of varied d, and rim fixed over widths."""
+    """Half-widths [m] and load-transfer ratios: rollers of varied d, fixed parts of the rim."""
     side, rollers = q.d_i * np.sin(q.half_angle), []
     for d in diameters(q):
         ring = locked_fem(q, DRAWN, d=d, p=q.p_t)

@@ -15,7 +15,7 @@ DEFINITIONS = ("mid", "mean", "corner")
 def solve(q: MapInputs, level: int) -> Level:
     """Results for all numbers of flats, on the mesh of `level`.
 
-    One level also contains both maps; the last level also contains the load-transfer ratios.
+    Level MAPPED also contains both maps; the last level also contains the load-transfer ratios.
     """
     arrays: dict[str, Array] = {}
     if level == MAPPED:

@@ -110,7 +110,7 @@ class RingPressure(ThinRing):
         return self.model_copy(update=sizes)
 
     def reference(self, level: int) -> Level:
-        """Results under a pressure E/1000 in the bore, scaled to the closed clearance j_D."""
+        """Results under a pressure E/1000 in the bore, scaled to the pressure that closes j_D."""
         p_0, fine = self.E / 1000, 2 if self.delta_1 > THICK * self.d_m else 1
 
         def expanded(d_i: float, d_e: float, ends: Any) -> Any:

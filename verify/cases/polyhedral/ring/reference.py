@@ -48,7 +48,7 @@ def solve(q: HubRing, level: int) -> Level:
 
 
 def stiffness_fem(q: HubRing, level: int) -> Level:
-    """K in its three definitions, in plane stress, for `level`."""
+    """K by its three definitions, in plane stress, for `level`."""
     ring = pressed_fem(q, level, "plane stress", ARC)
     values = stiffness(q, factors_fem(q, ring))
     return Level(h=1 / level, values=values, u_it=round_off(values, ring.residual))
@@ -57,7 +57,7 @@ def stiffness_fem(q: HubRing, level: int) -> Level:
 def both_fem(q: HubRing, level: int) -> Level:
     """K by its three definitions in plane stress, and K_mid in plane strain, for `level`.
 
-    The larger residual of both solutions applies to all values.
+    The larger of the residuals of the two solutions applies to all values.
     """
     narrow, wide = (pressed_fem(q, level, a, ARC) for a in ("plane stress", "plane strain"))
     values = stiffness(q, factors_fem(q, narrow)) | {

@@ -88,7 +88,10 @@ def comparisons(self: WedgeFormulas) -> Iterator[Comparison | Check]:
 
 
 def held(context: Context) -> tuple[float, float]:
-    """Margin, positive if at least 90 % of N remain for mu 1 % above tan(alpha/2); uncertainty."""
+    """Margin, positive if at least 90 % of N remain for mu 1 % above tan(alpha/2).
+
+    The uncertainty is also returned.
+    """
     return float(context.fem[-1].arrays["around"][1] - (1 - 0.1)), 0.0
 
 

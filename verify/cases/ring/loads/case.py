@@ -110,7 +110,8 @@ class InnerRace(SpragRace):
     """The sprags load the rim of the inner race.
 
     Relative to its radius, the wall of the inner race is thicker than the wall of the outer race.
-    Therefore, its deflection varies more between the sprags; Eq. 6 neglects this variation.
+    Therefore, the deflection of the inner race varies more between the sprags; Eq. 6 neglects this
+    variation.
     """
 
     id = "ring-loads-inner"

@@ -32,7 +32,7 @@ BY_FOURIER = (
 
 @dataclass(frozen=True, kw_only=True)
 class Smeared(Approximation):
-    """Comparison of a formula with the deflection by FE, from which `less` is subtracted."""
+    """Comparison of a formula with a deflection by FE that is reduced by the value `less`."""
 
     less: str = ""
 
@@ -95,7 +95,7 @@ def comparisons(self: SpragLoads) -> Iterator[Comparison | Check]:
 
 
 def _fields() -> Iterator[Deviation]:
-    """Rows: Fourier ring at all nodes of both walls, and at points inside the wall."""
+    """Rows: Fourier ring against FE, at all nodes of bore and rim and at points inside the wall."""
     for name, symbol, size, whole in (
         (f"largest displacement error at the nodes of bore and rim is below {ACCEPTED:g} of the "
          "displacement under a load", "e_u",
@@ -159,7 +159,10 @@ def stress_errors(context: Context) -> list[float]:
 def finest(
     errors: Callable[[Context], list[float]],
 ) -> Callable[[Context], tuple[float, float, str]]:
-    """Function that returns the error on the finest mesh, its change by refinement, and a text."""
+    """Function that returns the error on the finest mesh.
+
+    The change of the error from the second finest mesh and a text are also returned.
+    """
 
     def of(context: Context) -> tuple[float, float, str]:
         found = errors(context)
@@ -169,7 +172,7 @@ def finest(
 
 
 def too_soft(context: Context) -> tuple[float, float, str]:
-    """Relative error of Eq. 6 against the deflection by FE, from which δ_H is subtracted.
+    """Relative error of Eq. 6 against the deflection by FE that is reduced by δ_H.
 
     The uncertainty and the text of the row are also returned.
     """

@@ -102,7 +102,7 @@ def _states(q: ClutchStiffness) -> Iterator[Comparison]:
 
 
 def _along_struts(q: ClutchStiffness) -> Iterator[Comparison]:
-    """Rows of entries that Eq. 3 neglects, with forces along the struts."""
+    """Rows of entries that are zero by Eq. 3, but not with forces along the struts."""
     for state, demand in (
         ("gap", (1e-9, SAME)),
         ("together", (1e-6, "error caused by slices of finite length on a crown")),
@@ -153,7 +153,7 @@ def _limits(q: ClutchStiffness) -> Iterator[Comparison]:
         return eps, d.tolist(), [1e-13] * len(eps)
 
     def over_offset(levels: Sequence[Level]) -> Points:
-        """Relative error of the first-order coupling, with Eq. 3 corrected, over dx/delta_0.
+        """Relative error of the first-order coupling, divided by cos(nu)^2, over dx/delta_0.
 
         The uncertainty is the sum of the next term of the series and of round-off. Round-off
         matters because the coupling is a small difference of large numbers.
@@ -240,7 +240,7 @@ def _misprints(q: ClutchStiffness) -> Iterator[Check]:
         return min(1e-9 - share, abs(F) / (q.Z * q.N) - 0.9), words
 
     def whole_displacement(_: Context) -> tuple[float, str]:
-        """Positive margin if K of Eq. 10 times the total displacement is n times the load."""
+        """Positive margin if K of Eq. 10 times the total displacement is the load times n (Eq. 2)."""
         ratio = float((q.tangent @ q.at_T)[4] / q.T)
         n = 1 / uniform.secant_over_tangent()
         words = f"K times the total displacement is {ratio:.5f} times the load"

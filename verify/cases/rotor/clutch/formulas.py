@@ -217,6 +217,6 @@ class ClutchStiffness(SpragLink):
 
     @property
     def aside(self) -> dict[str, float]:
-        """Offset [m] and tilt [rad] of the clutch in the state with both, by name."""
+        """Offset [m] and tilt [rad] of the clutch in the state that has both, by name."""
         dx, tilt = clutch_tilted.aside(self.e, self.L, self.delta_0)
         return {"dx": dx, "tilt": tilt}

@@ -102,7 +102,7 @@ def _beams(beam: BeamTheories) -> Iterator[Comparison]:
 
 
 def _bodies(beam: BeamTheories) -> Iterator[Comparison]:
-    """Rows of the body against exact elasticity, and of the gyroscopic splitting of both models."""
+    """Rows of the body against exact elasticity; splitting of mode 1 by beam and by body."""
     shaft, exact = BeamTheories, _elasticity(beam)
     yield _whirl(shaft.pochhammer, "solid_at_rest_1",
                  "elastic body: frequency of mode 1 at rest (Pochhammer's equation)",

@@ -88,7 +88,7 @@ class Claimed(Share):
 
 
 def held_of(statement: Statement, a: Arrays) -> str:
-    """Text: in how many of the sets in which all compared peaks exist a statement holds."""
+    """Text: number of sets in which a statement holds, of the sets that have all compared peaks."""
     held, asked = statement.holds(a), statement.asked(a)
     with_peak = "" if asked.all() else " in which all compared peaks exist"
     return f"{int((held & asked).sum())} of the {int(asked.sum())} parameter sets{with_peak}"
@@ -96,7 +96,7 @@ def held_of(statement: Statement, a: Arrays) -> str:
 
 @dataclass(frozen=True, kw_only=True)
 class Spread(Claim):
-    """Median, 5th and 95th percentile of a value over the members; the paper does not print it."""
+    """Median, 5th and 95th percentile, over the members, of a value that is not printed."""
 
     kind = Kind.FACT
 

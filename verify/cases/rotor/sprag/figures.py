@@ -137,7 +137,7 @@ def _banded(title: str, y_label: str, a: Arrays, named: list[tuple[str, Array]])
 
 
 def over_unbalance(context: Context, a: Arrays) -> tuple[Curves, ...]:
-    """Figures of the median response of nodes 4 and 19 under three unbalances 2 (Fig. 11)."""
+    """Figures of the median response of nodes 4 and 19 under three values of U_2 (Fig. 11)."""
     x = a["grid"] / RPM
     return tuple(
         plot(

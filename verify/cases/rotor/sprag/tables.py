@@ -103,8 +103,8 @@ def unknowns(members: Array | None) -> Table:
 def slopes(elasticities: Array) -> Table:
     """Table of median sensitivities of the critical speeds to the parameters.
 
-    `elasticities` (m, 3, 12) are relative changes. The note states the changes along the parameter
-    combinations that the speeds determine.
+    `elasticities` (m, 3, 12) are relative changes. The note states the effect of those
+    combinations of parameters that the speeds determine.
     """
     middle = np.median(elasticities, axis=0)
     stiff = np.linalg.svd(middle, compute_uv=False)

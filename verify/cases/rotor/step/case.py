@@ -123,7 +123,7 @@ class SteppedBeam(SteppedShaft):
         return float(abs(coarse / fine - 1) / 3)
 
     def _slice_error_of_split(self) -> float:
-        """Error of the gyroscopic splitting caused by the slices, relative to mode 2."""
+        """Error of the gyroscopic splitting caused by the slices, over the frequency of mode 2."""
         off = abs(self._coarse.split - self.by_rule.split)
         return float(off / self.by_rule.whirl(2, "forward") / 3)
 
@@ -137,7 +137,7 @@ class SteppedBeam(SteppedShaft):
         return solve(self, level)
 
     def comparisons(self) -> Iterator[Comparison]:
-        """Rows of beams against other beam models and the body, and rows of conclusions."""
+        """Rows of beams against other beam models and the body, and rows on conclusions."""
         yield from self._beams()
         yield from self._inertia()
         yield from self._against_body()

@@ -29,7 +29,7 @@ def criticals(q: TransferRotor) -> list[Critical]:
 
 
 def limits(q: TransferRotor) -> tuple[float, float]:
-    """Lowest and highest operating speed [rad/s], widened by the required margin."""
+    """Bounds of the operating speed [rad/s], extended by the required margin."""
     return q.speed_from * (1 - q.margin), q.speed_to * (1 + q.margin)
 
 

@@ -17,7 +17,7 @@ Array = NDArray[np.float64]
 
 
 def _found(group: int) -> Any:
-    """Function that returns if shafts of speed group `group` excite at least k critical speeds."""
+    """Function that returns whether shafts of group `group` excite at least `k` critical speeds."""
 
     def has(q: Any, k: int) -> bool:
         excited = q.study.excited

@@ -90,7 +90,7 @@ def dropped(q: ClutchFormulas) -> list[str]:
 
 
 def beside(q: ClutchFormulas) -> str:
-    """Sentence on the sprag rotation at this torque by two other models."""
+    """Sentence on the sprag rotation with rigid races, and by Eqs. 9 and 10 as printed."""
     return (
         f"sprag rotation by other models: {q.alpha_Liu * DEGREE:.3g}° with rigid races (Liu), "
         f"{q.alpha_printed * DEGREE:.3g}° by Eqs. 9 and 10 as printed"
@@ -98,7 +98,7 @@ def beside(q: ClutchFormulas) -> str:
 
 
 def elastic(q: ClutchFormulas) -> list[str]:
-    """Sentence that compares rotation and oscillation period with those of elastic bodies."""
+    """Sentence on the rotation with elastic bodies, and on the effect on the oscillation period."""
     if not math.isfinite(q.alpha_elastic + q.theta_elastic):
         return []
     share = q.theta / q.theta_elastic

@@ -120,9 +120,9 @@ def more_even(context: Context) -> tuple[float, float, str]:
 
 
 def order_at(which: int) -> Margin:
-    """Function that computes the ratio of p_max of the other crown to that of `which`, minus 1.
+    """Function: ratio of p_max of the other crown of Fig. 14 to that of crown `which`, minus 1.
 
-    Both are crowns of Fig. 14, at 10 N m (`which` 0) or 30 N m (1).
+    Crown 0 is compared at 10 N m, crown 1 at 30 N m.
     """
     T = (10, 30)[which]
 
