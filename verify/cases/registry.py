@@ -150,7 +150,9 @@ def ids(cases: Iterable[Case]) -> tuple[str, ...]:
 
 def _own(case: Case, file: str) -> Case:
     if case.id in (*CASES.ids, *DEEP.ids):
-        raise ValueError(f"{file}: the suite has a case {case.id} already; give it another id")
+        raise ValueError(
+            f"{file}: the suite has a case {case.id} already; give the new case another id"
+        )
     return case
 
 

@@ -14,7 +14,7 @@ REFUSED = [
     ("ring-loads-outer", {"F": "3 MN"}, "the half-width of the contact, "),
     ("ring-loads-inner", {"r_i": "10.8 mm"}, "must not exceed 0.3 times the wall or the radius R"),
     ("ring-loads-inner", {"n": 300}, "n = 300 patches of half-width 0.112 mm are too close"),
-    ("ring-rotation", {"omega": "1e6 r/min"}, "it bursts"),
+    ("ring-rotation", {"omega": "1e6 r/min"}, "the ring bursts"),
     ("polyhedral-pressure", {"delta_1": "39.5 mm"}, "leaves no bore: δ_1 must be below 0.49 d_e"),
     ("polyhedral-pressure", {"delta_1": "0.3 mm"}, "too thin: δ_1 must be at least 0.005 d_e"),
     ("polyhedral-pressure", {"j_D": "2 mm"}, "strains the ring by 2.6%, beyond"),

@@ -145,7 +145,7 @@ def test_a_parameter_file_and_a_template_name_a_case_file_beside_them(bar, capsy
         (('    title = "Bending stresses of a curved bar"\n', ""),
          ": declares no subclass of Case with a title"),
         ((TITLE, '    id = "ring-lame"\n    title = '),
-         ": the suite has a case ring-lame already; give it another id"),
+         ": the suite has a case ring-lame already; give the new case another id"),
         (("        most = ", "        pass\n\n    def others(self):\n        most = "),
          r".py:\d+: CurvedBar.comparisons: must yield comparisons, got None"),
     ],

@@ -98,7 +98,7 @@ class RotatingRace(Case):
         if strain > FASTEST:
             raise ValueError(
                 f"{self.omega * 30 / np.pi:.6g} r/min strains the ring by {strain:.0%}, more "
-                "than 5 %: it bursts; reduce the speed"
+                "than 5 %: the ring bursts; reduce the speed"
             )
         return self
 

@@ -240,7 +240,7 @@ def _misprints(q: ClutchStiffness) -> Iterator[Check]:
         return min(1e-9 - share, abs(F) / (q.Z * q.N) - 0.9), words
 
     def whole_displacement(_: Context) -> tuple[float, str]:
-        """Positive margin if K of Eq. 10 times the total displacement is the load times n (Eq. 2)."""
+        """Positive margin if K of Eq. 10 times the total displacement is n (of Eq. 2) times T."""
         ratio = float((q.tangent @ q.at_T)[4] / q.T)
         n = 1 / uniform.secant_over_tangent()
         words = f"K times the total displacement is {ratio:.5f} times the load"

@@ -229,7 +229,7 @@ def _errors(key: str, state: State) -> Callable[[Context], tuple[list[float], li
 
 
 def _sense(context: Context) -> tuple[float, float, str]:
-    """Smallest splitting of mode 1 over its forward frequency; -1 if senses of whirl are wrong."""
+    """Smallest ratio of splitting to forward frequency, mode 1; -1 if senses of whirl are wrong."""
     v = context.fem[-1].values
     share = [v[f"{name}_split"] / v[f"{name}_whirl_1_forward"]
              for name in ("beam_timoshenko", "weak_timoshenko", "solid")]  # fmt: skip

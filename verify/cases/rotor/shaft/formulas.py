@@ -125,5 +125,5 @@ class BeamTheories(TurningShaft):
 
     @shared
     def slender(self) -> Self:
-        """A shaft of a given small d/L."""
+        """The shaft with its length changed to d_o/SLENDER."""
         return self.model_copy(update={"L": self.d_o / SLENDER})

@@ -75,12 +75,12 @@ def first_highest(a: Arrays) -> Members:
 
 
 def more_on_4(a: Arrays) -> Members:
-    """Whether bearing 4 carries more than bearing 3 at every peak, for each unbalance 2."""
+    """Whether bearing 4 has a larger load than bearing 3 at every peak, for each unbalance 2."""
     return np.asarray((a["loads"][..., 1] > a["loads"][..., 0]).all(axis=(1, 2)))
 
 
 def small(a: Arrays, node: int) -> Members:
-    """Whether the peaks of `node` are below half the median of nodes not at bearings 1 and 2."""
+    """Whether peaks of `node` are below half the median peak of nodes not at bearings 1 and 2."""
     others = [i for i in range(OUTER) if i + 1 not in (2, 6)]
     of = base(a)
     return np.asarray((of[:, :, node - 1] < SMALL * np.median(of[:, :, others], axis=2)).all(1))
