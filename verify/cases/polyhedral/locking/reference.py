@@ -79,7 +79,11 @@ def peak(touch: Any) -> float:
 
 
 def supports(q: LockingInputs) -> dict[str, Array]:
-    """Half-widths [m] and load-transfer ratios: rollers of varied d, fixed parts of the rim."""
+    """Half-widths [m] and load-transfer ratios, by name.
+
+    "rollers" has the values for rollers of varied diameter, "bonded" those for a rim that is fixed
+    over varied widths.
+    """
     side, rollers = q.d_i * np.sin(q.half_angle), []
     for d in diameters(q):
         ring = locked_fem(q, DRAWN, d=d, p=q.p_t)
