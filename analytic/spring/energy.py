@@ -1,4 +1,4 @@
-r"""Stiffness of the free accordion spring by the energy method (Wang et al. 2023, Eqs. 1-9).
+r"""Stiffness of the accordion spring in its free stage, by energy (Wang et al. 2023, Eqs. 1-9).
 
 The equations are corrected; the errata list contains the printed forms. The bending couple is
 :math:`M = F y` with the height y of the centre line above the line of action of the force, which
@@ -48,7 +48,7 @@ def head_flexibility(*, L1: ArrayLike, r: ArrayLike) -> Array:
 def apex_moments(
     *, n: int, L1: ArrayLike, r: ArrayLike, b: ArrayLike, alpha: ArrayLike
 ) -> tuple[Array, ...]:
-    r"""Moments per force T_1 to T_(n-1) [length]; T_i is at the apex of the last arc of unit i.
+    r"""Moments T_1 to T_(n-1) per force [length]; T_i is at the apex of the last arc of unit i.
 
     .. math:: T_1 = L_1/2 + r, \qquad T_i = T_{i-1} + s_i\,(2A + L_2 \sin\alpha), \qquad
         A = r (1 - \cos\alpha), \quad s_i = (-1)^{i+1}
@@ -68,7 +68,7 @@ def apex_moments(
 def unit_flexibility(
     i: int, T: ArrayLike, *, L1: ArrayLike, r: ArrayLike, b: ArrayLike, alpha: ArrayLike
 ) -> Array:
-    r"""Integral :math:`\int (M/F)^2 ds` [length^3] of unit i from T = T_(i-1) (Eqs. 3 and 4).
+    r"""Integral :math:`\int (M/F)^2 ds` [length^3] of unit i, for T = T_(i-1) (Eqs. 3, 4).
 
     .. math::
         M/F = T + s\,r (1-\cos\theta); \quad T + s (A + x \sin\alpha); \quad
@@ -85,7 +85,7 @@ def unit_flexibility(
 
 
 def tail_flexibility(n: int, T: ArrayLike, *, r: ArrayLike) -> Array:
-    r"""Integral :math:`\int (M/F)^2 ds` [length^3] of the tail arc from T = T_(n-1) (Eqs. 5, 6).
+    r"""Integral :math:`\int (M/F)^2 ds` [length^3] of the tail arc, for T = T_(n-1) (Eqs. 5, 6).
 
     .. math:: M/F = T + s_n\, r (1 - \cos\theta), \quad 0 \le \theta \le \pi/2
 
@@ -109,7 +109,7 @@ def strain_energy(*, F: ArrayLike, E: ArrayLike, h: ArrayLike, **geometry: Any) 
 
 
 def deflection(*, F: ArrayLike, E: ArrayLike, h: ArrayLike, **geometry: Any) -> Array:
-    r"""Displacement [length] of the force (Eq. 8): :math:`\Delta = \partial V/\partial F`."""
+    r"""Deflection [length] of the head under F (Eq. 8): :math:`\Delta = \partial V/\partial F`."""
     return np.asarray(F, float) * flexibility(**geometry) / _EI(E, h, geometry["b"])
 
 
@@ -141,8 +141,8 @@ def bending_stress(
 
     .. math:: \sigma = \kappa\,\frac{6 M}{h b^2}
 
-    with M = F (L_1/2 + r) and the factor :math:`\kappa` of `curvature_factor`. It occurs in the
-    loops of head and tail.
+    with M = F (L_1/2 + r) and the factor :math:`\kappa` of `curvature_factor`. This stress occurs
+    in the loops of head and tail.
     """
     F, b, h, r, L1 = (np.asarray(v, float) for v in (F, b, h, r, L1))
     return np.asarray(curvature_factor(b=b, r=r) * 6 * F * (L1 / 2 + r) / (h * b**2))

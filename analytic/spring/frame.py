@@ -61,7 +61,7 @@ def pieces(
     tail: Tail = "arc",
     leaf: float | None = None,
 ) -> Iterator[tuple[float, float]]:
-    """Length and turn [rad] of every leaf and arc, from the head on; positive turn to the left.
+    """Length and turn [rad] of each leaf and arc, from the head on; turns to the left are positive.
 
     `leaf` is the straight length of the middle units. By default, the spring is symmetric: its
     loops extend to L1/2 + radius on both sides of the force.
@@ -170,7 +170,8 @@ def stiffness(
     head
         "free" (lateral motion and rotation), "hinged" (rotation only) or "guided" (neither).
     tail, hold
-        The tail is fixed at the end of its "arc" or in its "mid-leaf", "clamped" or "hinged".
+        Support of the tail: at the end of its "arc" or in the middle of its leaf ("mid-leaf"),
+        "clamped" or "hinged".
     plane_strain
         E/(1 - nu^2) in place of E, for a strip that is much wider than its loops.
 

@@ -82,7 +82,7 @@ class Reading:
 def readings(
     *, n: int, b: float, h: float, r: float, L1: float, alpha: float, E: float
 ) -> list[Reading]:
-    """Stiffnesses by all interpretations of Eqs. 3 and 5, by quadrature of the printed moments.
+    """Stiffness for each interpretation of Eqs. 3 and 5, from quadrature of the printed moments.
 
     The spring has `n` segments of thickness `b` and width `h`, the inner radius `r` of the arcs,
     the straight length `L1` of head and tail, the angle `alpha` of the arcs [rad] and Young's

@@ -25,8 +25,9 @@ class Pair:
     """Pair of a tip and the point of the next leaf that it will touch, under opposite unit forces.
 
     The unit forces cause in a section at (x, y) the couple `moment` . (1, x, y) and the force
-    `force`. On `loop`, the force of the spring also acts; `with_tip` includes the free half leaf.
-    `distance` is measured between centre lines, `gap` is the distance minus the thickness.
+    `force`. The pair of forces loads the line from the tip to the touched point: `with_tip`. `loop`
+    is this line without the free half leaf; the force of the spring also acts on it. `distance` is
+    measured between centre lines, `gap` between surfaces.
     """
 
     moment: Array
@@ -41,8 +42,8 @@ class Pair:
 class Line:
     """Line from the middle of the head to the clamp: its second moments and its contact pairs.
 
-    `tops` (..., n - 1, 3) are the points (1, x, y) of the loops with the largest distance from the
-    line of the force, one per loop.
+    `tops` (..., n - 1, 3) contains one point (1, x, y) for each loop: the point with the largest
+    distance from the line of the force.
     """
 
     whole: Wire
@@ -136,7 +137,7 @@ def _along(heading: Array, length: Array) -> Array:
 
 
 def _foot(tip: Array, unit: _Pen, normal: Normal) -> tuple[Array, Array, Array]:
-    """Foot of the normal through `tip` on the leaf ahead of `unit`, unit normal, and distance."""
+    """Point opposite to `tip` on the leaf ahead of `unit`, direction to this point, distance."""
     t = _along(unit.heading, np.ones_like(unit.heading))
     across = np.stack([-t[..., 1], t[..., 0]], axis=-1)
     away = ((unit.at - tip) * across).sum(axis=-1)

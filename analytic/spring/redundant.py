@@ -35,9 +35,10 @@ class Response:
 
 
 def response(A: Array, held: list[int], touching: tuple[int, ...]) -> Response:
-    """Response to the force with the supports `held` and the closed pairs `touching`.
+    """Response to the force with support reactions and contact forces of closed pairs.
 
-    Pair 0 is at the head, pair 1 at the tail.
+    `held` are the indices of the support reactions in X. `touching` are the numbers of the closed
+    pairs: 0 at the head, 1 at the tail.
     """
     active = [0, *held, *(PAIRS + i for i in touching)]
     unit = np.zeros((*A.shape[:-2], len(active), 1))

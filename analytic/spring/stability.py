@@ -44,10 +44,11 @@ def lateral_stiffness(state: State) -> float:
 
 
 def critical(line: Elastica, head: Head, U: Iterable[float]) -> State | None:
-    """First critical point on the guided path through U [length] for a head of the kind `head`.
+    """First critical point of a head of the kind `head` on the path of the guided head.
 
-    None if there is no critical point up to the last U. The steps of U must be those of
-    `Elastica.path`.
+    The path leads through the displacements `U` [length]; their steps should be at most a twentieth
+    of the length of the spring, as in `Elastica.path`. None if there is no critical point up to the
+    last U.
     """
     near = [line.unloaded()]
     for u in U:
@@ -59,7 +60,7 @@ def critical(line: Elastica, head: Head, U: Iterable[float]) -> State | None:
 
 
 def _located(line: Elastica, head: Head, before: State, after: State) -> State:
-    """State at the root between two states of different sign, by a bracketing secant method."""
+    """State between two others at which the determinant is zero, by a bracketing secant method."""
     a, b = (determinant(state, head) for state in (before, after))
     for _ in range(SECANTS):
         u = (before.U * b - after.U * a) / (b - a)

@@ -82,9 +82,9 @@ class Stages:
     The stiffness is `k1` [force/length] up to (`U_A`, `F_A`), where the first tip touches, then
     `k2` up to (`U_B`, `F_B`), where the second tip touches, then `k3`. If both tips touch
     simultaneously, B = A and k3 = k2. Displacements and forces are infinite if no tip touches.
-    `top_couple` [force x length] is the largest couple at the apex of a loop at A, `tilt` [rad] the
-    remaining angle at A between the touching tip and its leaf, `gap` [length] the distance that
-    this tip closes.
+    `top_couple` [force x length] is the couple at A at the apex of the most loaded loop, `tilt`
+    [rad] the remaining angle at A between the first tip and the leaf that it touches, `gap`
+    [length] the initial gap of this tip.
     """
 
     k1: Array
@@ -159,7 +159,8 @@ def stages(
     head
         "free" (lateral motion and rotation), "hinged" (rotation only) or "guided" (neither).
     tail
-        Clamped in its "mid-leaf", or along its whole leaf, which ends at the "arc".
+        "mid-leaf": clamped in the middle of its leaf. "arc": its whole leaf is clamped, up to the
+        arc.
     theory
         "bending"; "thin" adds the axial strain, "shear" also adds 6/5 V^2/(G A).
     normal

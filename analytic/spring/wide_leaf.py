@@ -49,8 +49,8 @@ def width_factor(h: ArrayLike, length: ArrayLike, *, nu: float = 0.3, terms: int
     nu
         Poisson's ratio, 0 to 0.5.
     terms
-        Number of polynomials per direction. With 24, the error is below 1e-5 for h/length from
-        1/20 to 30, and below 2e-4 outside.
+        Number of polynomials per direction. With 24, the error is below 1e-5 for h/length from 1/20
+        to 30, and below 2e-4 outside this range.
 
     Raises
     ------
@@ -75,7 +75,7 @@ def width_factor(h: ArrayLike, length: ArrayLike, *, nu: float = 0.3, terms: int
 
 
 def _energy(s: float, nu: float, terms: int) -> float:
-    """Minimum of the energy for s = (l/h)^2."""
+    """Minimum of the energy; `s` is (l/h)^2, the square of s in the equation of the module."""
     along, across, poisson, twist = _parts(terms)
     K = along + s**2 * across + s * (nu * poisson + 2 * (1 - nu) * twist)
     free = slice(terms + 1, None)  # the shape of a beam, uniform across, is prescribed
@@ -85,7 +85,7 @@ def _energy(s: float, nu: float, terms: int) -> float:
 
 @cache
 def _parts(terms: int) -> tuple[Array, Array, Array, Array]:
-    """Matrices of the four products in the energy, ordered by X, then by Y."""
+    """Matrices of the four products in the energy; the index of Y changes faster than that of X."""
     beam = legendre.poly2leg(SHAPE)
     X = [beam, *(legendre.legint(_unit(k), 2, lbnd=-1) for k in range(3, 2 * terms + 3, 2))]
     Y = [_unit(0), *(legendre.legint(_unit(k), 2) for k in range(0, 2 * terms, 2))]

@@ -22,7 +22,7 @@ NUGGET = 1e-10  # relative to the variance, on the diagonal of C
 
 @dataclass(frozen=True, eq=False)
 class Bordered:
-    """Kriging of the `values` (n,) at `x` (n, d); x and `scales` are in the same units."""
+    """Kriging of the `values` (n,) at `x` (n, d); the length `scales` (d,) have the units of x."""
 
     x: Array
     values: Array
@@ -73,7 +73,7 @@ class Bordered:
         return np.asarray(np.linalg.solve(self.system, self._right(at)))
 
     def _correlation(self, at: Array) -> Array:
-        """Matérn correlations of order 5/2, (n, m)."""
+        """Matérn correlations (n, m) of order 5/2 between the given points and the points `at`."""
         apart = (self.x[:, None, :] - at[None, :, :]) / self.scales
         r = np.sqrt(5 * np.sum(apart**2, axis=-1))
         return np.asarray((1 + r + r**2 / 3) * np.exp(-r))

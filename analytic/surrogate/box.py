@@ -1,4 +1,4 @@
-"""Box of parameters for the fit of a surrogate and the search."""
+"""Box of parameters in which a surrogate is fitted and searched for its minimum."""
 
 from dataclasses import dataclass
 
@@ -47,7 +47,7 @@ class Box:
         return x
 
     def to_unit(self, x: Array) -> Array:
-        """Coordinates (n, d) in the unit cube of the points x (n, d)."""
+        """Coordinates (n, d) of the points x (n, d) in the unit cube."""
         low, high = np.array(self.low), np.array(self.high)
         return np.asarray((self.points(x) - low) / (high - low))
 

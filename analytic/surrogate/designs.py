@@ -7,10 +7,10 @@ from analytic.surrogate.box import Box
 
 
 def full_factorial(box: Box, levels: int) -> Array:
-    """Full factorial design: all combinations of `levels` equally spaced values, (levels**d, d).
+    """Full factorial design (levels**d, d), with `levels` equally spaced values of each parameter.
 
-    The bounds of the box are levels; the last parameter changes fastest. Raises ValueError if
-    levels < 2.
+    The first and last levels are the bounds of the box. The last parameter changes fastest. Raises
+    ValueError if levels < 2.
 
     >>> full_factorial(Box((0.0, 10.0), (1.0, 20.0)), 2).tolist()
     [[0.0, 10.0], [0.0, 20.0], [1.0, 10.0], [1.0, 20.0]]

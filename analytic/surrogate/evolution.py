@@ -1,8 +1,9 @@
 """Differential evolution, for the minimum of an objective in a box.
 
-Source: R. Storn and K. Price, J. of Global Optimization 11 (1997) 341; implementation of scipy. No
-gradient method follows: the largest of several regimes has kinks, often at its minimum, where no
-gradient exists. Instead, the search continues until the population has contracted further.
+Source: R. Storn and K. Price, J. of Global Optimization 11 (1997) 341; implementation of scipy. The
+result is not refined by a gradient method, because the largest of several regimes has kinks, often
+at its minimum, where no gradient exists. Instead, the tolerance of convergence of the population is
+small (1e-8).
 """
 
 import numpy as np

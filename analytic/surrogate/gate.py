@@ -19,7 +19,8 @@ too few: with the limits below, the first row passes in one of five samples (wit
 one of ten), the last two rows always.
 
 A surrogate is therefore tested twice: with a level left out, before any new evaluation, and on at
-least twenty new random points. Leaving out one design only finds the design that does not fit.
+least twenty new random points. Errors with one design left out are only used to find the design
+that does not fit.
 """
 
 from dataclasses import dataclass
@@ -31,7 +32,7 @@ from analytic.contact.checks import Array
 
 
 class PoorSurrogateError(ArithmeticError):
-    """Error that the difference of surrogate and model exceeds the permissible limits."""
+    """Raised if the difference between surrogate and model exceeds the permissible limits."""
 
 
 class Surrogate(Protocol):

@@ -1,4 +1,4 @@
-"""Surrogate that is refined during its search: its minimum becomes the next design."""
+"""Surrogate that is refined during the search: the minimum of the surrogate is the next design."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -12,7 +12,7 @@ from analytic.surrogate.found import Found, Objective
 
 
 class NoAgreementError(ArithmeticError):
-    """Error that surrogate and true model still differ after all rounds."""
+    """Raised if surrogate and true model still differ after all rounds."""
 
 
 class Predicts(Protocol):
@@ -68,7 +68,7 @@ def infill(
     in_a_row: int = 1,
     rounds: int = 20,
 ) -> Infilled[A, S]:
-    """Result of repeated fit, search for the surrogate's minimum and evaluation of the model there.
+    """Fit a surrogate, find its minimum and evaluate the model there, until both values agree.
 
     The rounds end when surrogate and model agree: |true/predicted - 1| <= agree in `in_a_row`
     successive rounds. `answers` are the results of the true model at x (n, d); if they are not
@@ -79,11 +79,11 @@ def infill(
     ArithmeticError) after `rounds` without agreement.
 
     Agreement is local. It shows that the surrogate is correct at its minimum, but not that no other
-    point has a smaller value. Example: one process for the largest of three planes, with four
-    positions of the kink. With 6 x 6 designs, the agreed value was on average 2.0 % above the
-    minimum, with `in_a_row` = 3 it was 0.5 % above; with 4 x 4 designs 4.5 % and 1.9 %. `Largest`
-    has no kink to approximate and agrees at the minimum. `gate` detects other errors of a
-    surrogate.
+    point has a smaller value. Example: one Gaussian process was fitted to the largest of three
+    planes, for four positions of the kink. With 6 x 6 designs, the agreed value was on average 2.0
+    % above the minimum, and 0.5 % above it with `in_a_row` = 3. With 4 x 4 designs, these values
+    were 4.5 % and 1.9 %. `Largest` has no kink to approximate and agrees at the minimum. `gate`
+    detects other errors of a surrogate.
     """
     x = box.points(x)
     known = [true(point) for point in x] if answers is None else list(answers)

@@ -59,7 +59,7 @@ class Kriging:
 
     @cached_property
     def whitened_trend(self) -> tuple[Array, Array]:
-        """QR factors Q (n, t), R (t, t) of the trend terms, divided by the Cholesky factor of C."""
+        """QR factors Q (n, t), R (t, t) of L^-1 F: trend terms F, Cholesky factor L of C."""
         whitened = solve_triangular(self.cholesky, trend_terms(self.u), lower=True)
         Q, R = np.linalg.qr(whitened)
         spread = np.abs(np.diag(R))

@@ -1,8 +1,9 @@
 """Surrogate of the largest of several quantities: each of them (a regime) is kriged separately.
 
 Where the largest of several quantities changes from one to another, it has a kink, which a smooth
-process cannot represent. Each quantity alone is smooth. A power of a quantity is kriged if it is
-smoother: the square of a Hertzian pressure is proportional to force per length.
+process cannot represent. Each quantity alone is smooth. A power of a quantity is kriged if this
+power is smoother than the quantity; for example, the square of a Hertzian pressure is proportional
+to force per length.
 """
 
 from collections.abc import Sequence
@@ -69,8 +70,8 @@ def fit_largest(
 ) -> Largest:
     """Surrogate from values (n,) of each regime at x (n, d); their `power`-th powers are kriged.
 
-    `present` marks the designs at which a regime is present; other values are not used. Raises
-    ValueError for a negative value, and for the same reasons as `fit`.
+    `present` marks the designs at which a regime is present; its values at other designs are not
+    used. Raises ValueError for a negative value, and for the same reasons as `fit`.
     """
     x = box.points(x)
     if present is None:

@@ -15,10 +15,10 @@ class AtRest:
     """Solver of small displacements from the unloaded shape, in extended precision.
 
     `strain`, `stretch` and `tangent` describe the undeformed `elements`; `free` are the unknowns
-    that can move. Strains and residuals are computed in extended precision, because the strains of
-    a thin strip are differences of nearly equal displacements: in double precision, only four
-    digits of the axial force of a spring with L/b = 250 would be correct. The remaining error is
-    mainly that of the node coordinates, which are rounded to double precision.
+    that no support fixes. Strains and residuals are computed in extended precision, because the
+    strains of a thin strip are differences of nearly equal displacements: in double precision, only
+    four digits of the axial force of a spring with L/b = 250 would be correct. The remaining error
+    is mainly that of the node coordinates, which are rounded to double precision.
     """
 
     elements: Any
@@ -65,7 +65,8 @@ class AtRest:
     def lowest(self, G: Any, push: Any) -> Any:
         """Mode (n,) at the smallest positive load factor for which K + factor x G is singular.
 
-        Round-off errors of K limit the accuracy of the mode.
+        The iteration begins with the displacements under the load `push` (n,). Round-off errors of
+        K limit the accuracy of the mode.
         """
         own, start = G[self.free][:, self.free], self.factor.solve(push[self.free])
         inverse = LinearOperator(own.shape, self.factor.solve)

@@ -5,7 +5,8 @@ r"""Plane curved Timoshenko beams in scikit-fem: quadratic displacements on quad
    \varepsilon = t\cdot u', \quad \gamma = n\cdot u' - \phi, \quad \kappa = \phi'
 
 with the tangent t of the exact curve. Two Gauss points per element (reduced integration) prevent
-locking by shear and membrane strains. The closed-form elements are independent of this module.
+locking by shear and membrane strains. The closed-form elements of `fem.beam.straight` are
+independent of this module.
 """
 
 from collections.abc import Sequence
@@ -134,10 +135,11 @@ def _strains(slope, phi, tangent):
 
 
 def _basis(points: Array, elements: Array) -> tuple[Basis, Array]:
-    """P2 basis on vertex numbers as coordinate, and the node of each unknown of the basis.
+    """P2 basis on a line mesh of vertex numbers, and the node of each unknown of the basis.
 
-    The line element of scikit-fem has one dimension; only `_geometry` contains the geometry.
-    Members may therefore branch and close.
+    The coordinate of a vertex is its number, because the line element of scikit-fem has one
+    dimension; only `_geometry` contains the geometry. Members may therefore branch and form closed
+    rings.
     """
     ends = np.unique(elements[:, :2])
     number = np.full(len(points), -1)

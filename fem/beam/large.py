@@ -147,8 +147,8 @@ class LargeFrame:
         """Equilibrium states at the node displacements `moved` times each of the `factors`.
 
         `moved` has components "x", "y" and the rotation "r" for each node. `reactions` include the
-        forces that the displacements require. `loads` act in full from the start. With `since`,
-        displacements and loads are added to that state.
+        forces that the displacements require. `loads` act in full from the start. With `since` (a
+        state of another path), displacements and loads are added to those of that state.
 
         Raises
         ------
@@ -176,10 +176,11 @@ class LargeFrame:
     ) -> Path:
         """States along the equilibrium path, with increasing or decreasing load or displacement.
 
-        `first` is the first change of the factor; it defines step size and direction. Steps adapt
-        to the number of Newton iterations, up to `largest`. Their size is the root mean square over
-        the nodes of displacement (divided by the diagonal of the frame) and rotation [rad]. The
-        path ends after `steps` steps, or with the first state for which `until` returns True.
+        `first` is the first change of the factor; it defines step size and direction. Step sizes
+        adapt to the number of Newton iterations, up to `largest`. The size of a step is the root
+        mean square of the displacements (divided by the diagonal of the frame) and rotations [rad]
+        of all nodes. The path ends after `steps` steps, or with the first state for which `until`
+        returns True.
 
         Raises
         ------
@@ -197,7 +198,7 @@ class LargeFrame:
     def buckling(self, path: Path) -> tuple[CriticalPoint, ...]:
         """Limit points and bifurcations between the states of a path, with their modes.
 
-        Terms may have multipliers, but no other history: friction is not permitted.
+        Terms may store Lagrange multipliers, but no other history: friction is not permitted.
 
         Raises
         ------
@@ -226,7 +227,7 @@ class LargeFrame:
     def imperfect(self, mode: Array, amplitude: float, terms: Sequence[Term] = ()) -> "LargeFrame":
         """Frame with its stress-free shape displaced by `amplitude` times a mode (n, 3).
 
-        `terms` belong to the new shape.
+        `terms` are the additional terms of this new frame.
         """
         return LargeFrame(
             self.points + amplitude * mode[:, :2], self.elements.nodes,

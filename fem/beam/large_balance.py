@@ -20,7 +20,7 @@ class ConvergenceError(ArithmeticError):
 
 @dataclass(frozen=True)
 class Tangent:
-    """Factorised stiffness; `push` (3n,) is du/dfactor, `negative` counts negative pivots."""
+    """Factorised stiffness, number of `negative` pivots, and `push` (3n,): du/d(load factor)."""
 
     K: csc_array
     solve: Callable[[Array], Array]
@@ -46,7 +46,7 @@ class Response:
 
 @dataclass(frozen=True)
 class Balance:
-    """Equilibrium equations under the load base + factor x pattern, with prescribed components."""
+    """Equilibrium equations for the load base + factor x pattern; `held`: prescribed components."""
 
     points: Array
     elements: Elements

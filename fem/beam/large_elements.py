@@ -149,8 +149,9 @@ class Elements:
     def initial_stress_stiffness(self, stress: Array) -> csc_array:
         """Geometric stiffness (3n, 3n) of the undeformed frame for N, V, M (m, q, 3).
 
-        The rotation of the stiff axial direction is omitted. Its first-order term without its
-        second-order term would make a bent member with large EA too flexible.
+        The rotation of the axial direction, in which a member is stiff, is omitted: the first-order
+        term of this rotation, without the second-order term, would make a bent member with large EA
+        too flexible.
         """
         return self._assemble(
             self.geometric(np.zeros_like(stress), self.tangent.astype(float), stress)
@@ -168,7 +169,7 @@ class Elements:
 
 
 def _add_geometric(A: Array, strain: Array, t: Array, stress: Array) -> None:
-    """Add the stiffness due to N and V and the rotation of the section to `A`."""
+    """Add to `A` the geometric stiffness due to N, V and the rotation of the section."""
     N, V = stress[..., 0], stress[..., 1]
     turn = np.stack([-N * t[..., 1] - V * t[..., 0], N * t[..., 0] - V * t[..., 1]], axis=-1)
     A[..., 2, :2] += turn

@@ -19,8 +19,8 @@ Mask = NDArray[np.bool_]
 class Loading:
     """Loads and prescribed displacements.
 
-    `dead` (3n,) are dead forces and couples, `follower` (n, 2) follower forces in the reference
-    state, `moved` (3n,) prescribed displacements.
+    `dead` (3n,) are dead forces and couples, `follower` (n, 2) are follower forces in the reference
+    state, and `moved` (3n,) are prescribed displacements.
     """
 
     dead: Array
@@ -42,7 +42,7 @@ class Loading:
         return f.ravel()
 
     def slope(self, u: Extended) -> csc_array | None:
-        """Derivative of follower forces by u, or None without follower forces.
+        """Derivative of follower forces with respect to u, or None without follower forces.
 
         Follower forces rotate with their node.
         """
@@ -67,7 +67,7 @@ def nothing(count: int) -> Loading:
 def loading(
     elements: Elements, loads: Loads | None, follower: Forces | None, distributed: Forces | None
 ) -> Loading:
-    """Loading by nodal loads, follower forces, and dead forces per reference length of elements."""
+    """Sum of nodal loads, follower forces, and dead forces per reference length of elements."""
     found = nothing(elements.count)
     for node, load in (loads or {}).items():
         known(elements.count, node)

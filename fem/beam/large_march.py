@@ -109,14 +109,14 @@ class March:
             size *= 2 if good > 1 else 1
 
     def _strayed(self, u: Extended, predicted: Array) -> float:
-        """Squared distance of a step from its prediction, relative to its squared length."""
+        """Squared deviation of a step from its prediction, relative to the squared prediction."""
         off = (u - self.state.exact).astype(float).ravel() - predicted
         weights = self.balance.weights
         size = float(weights * predicted @ predicted)
         return float(weights * off @ off) / size if size else 0.0
 
     def _work(self, moved: Array, control: Control, found: Response, tangent: Tangent) -> float:
-        """Work of all nodal forces over a step, with forces and displacements as cubics."""
+        """Work of all nodal forces over a step; forces and displacements are cubic functions."""
         push = self.tangent.push, tangent.push
         ahead, behind = (control.speed(p, moved) * p for p in push)
         x = (GAUSS[0] + 1) / 2

@@ -2,8 +2,8 @@
 
 The geometric stiffness uses the section forces predicted by the last iteration, not the section
 forces of the new displacements (mixed integration points, Magisano, Leonetti & Garcea 2017). The
-solution is the same. Stiff members, whose axial force is sensitive to finite rotations, converge in
-larger steps.
+solution is the same, but larger steps converge if the frame has stiff members, whose axial force is
+sensitive to finite rotations.
 """
 
 import math
@@ -97,7 +97,7 @@ def _unsettled(balance: Balance, u: Extended) -> bool:
 
 
 def _stalled(history: list[float]) -> bool:
-    """True if a small residual has stopped decreasing, as for points that touch without force."""
+    """True if a small residual no longer decreases, for example if points touch without force."""
     before, late = history[:-STALL], history[-STALL:]
     return bool(before) and history[-1] < FLICKER and min(late) > min(before) / 2
 

@@ -23,7 +23,8 @@ class CriticalPoint:
     """Point at which a path loses or regains stability.
 
     The largest displacement of `mode` (n, 3) is 1 [length]. `limit` is True for a limit point,
-    False for a bifurcation. `width` is the width of the bracket of the factor.
+    False for a bifurcation. `width` is the width of the interval of the load factor that contains
+    the point.
     """
 
     state: BeamState

@@ -15,10 +15,10 @@ class BeamState:
 
     `exact` (n, 3) are displacements and rotations in extended precision; `internal` (3n,) are the
     loads in balance with elements and terms. `work` is the work of loads and prescribed
-    displacements along the path, integrated with fourth order over its steps. `residuals` are the
-    relative residuals of the Newton iterations of the last step. `negative` is the number of
-    negative pivots of the tangent with prescribed supports: 0 if the state is stable under the
-    control of the path.
+    displacements along the path, integrated over the steps of the path with fourth order.
+    `residuals` are the relative residuals of the Newton iterations of the last step. `negative` is
+    the number of negative pivots of the tangent with prescribed supports: 0 if the state is stable
+    under the loads or prescribed displacements of the path.
     """
 
     factor: float

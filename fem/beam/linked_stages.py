@@ -22,8 +22,8 @@ TOGETHER = 1e-6  # relative: two tips that touch at once
 class LinkedFrame:
     """Frame of straight elements `chords`, loaded along x at `head`, with two possible contacts.
 
-    The contacts are `links` between the nodes `ends` (2, 2). `round_off` increases with the
-    residual of the solver.
+    The contacts are `links` between the nodes `ends` (2, 2). `round_off` is the largest relative
+    error of the solutions so far.
     """
 
     points: Array
@@ -87,8 +87,8 @@ class LinkedFrame:
 class Opposite:
     """Point of a leaf opposite to a tip: its element and its relative position on the element.
 
-    `direction` is the direction from the tip to the point, `gap` [m] the distance minus the
-    thickness.
+    `direction` is the direction from the tip to the point, `gap` [m] the distance between the
+    surfaces along `direction`.
     """
 
     element: int

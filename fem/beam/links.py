@@ -27,8 +27,8 @@ class Link:
     """Link that prescribes (u_second - u_first) . direction = value.
 
     A point is a node, or the number of an element and a fraction of its length. `direction` (x, y)
-    may have any length except zero. The direction of a contact leads from `first` to `second`; its
-    value is then minus the gap [length] that is closed.
+    may have any length except zero. If the link represents a contact, `direction` leads from
+    `first` to `second`, and `value` is minus the gap [length] that is closed.
     """
 
     first: Place
@@ -54,9 +54,9 @@ class Link:
 class Divided:
     """Mesh of straight elements with a node at every linked point.
 
-    New nodes and elements are numbered after the given ones; a divided element retains its number
-    for its first part. `parent` (m,) is the original element of each element; `ends` (k, 2) are the
-    nodes of every link.
+    New nodes and elements are numbered after the given ones; the first part of a divided element
+    retains the number of the element. `parent` (m,) is the original element of each element; `ends`
+    (k, 2) are the nodes of every link.
     """
 
     points: Array
@@ -169,7 +169,7 @@ def check_ties(tied: Ties, points: Array, part: Indices, free: NDArray[np.bool_]
 
 
 def _holds(rows: Array) -> bool:
-    """True if the conditions prevent all motions (rows, motions)."""
+    """True if linear conditions prevent all rigid motions; `rows` is (conditions, motions)."""
     s = np.linalg.svd(rows, compute_uv=False)
     return bool(s.size == rows.shape[1] and s[-1] > DEPENDENT)
 
@@ -180,9 +180,9 @@ Solver = Callable[[Array, Array], tuple[Array, Array]]
 def tied_solver(K: csc_array, B: csc_array, alone: bool) -> Solver:
     """Function that solves K u - B^T p = r, B u = g for (u, p), by the compliance of the links.
 
-    K is positive definite if the supports `alone` hold the frame. Otherwise, s B^T B is added to K.
-    This makes K positive definite and does not change the solution, because B u is g. Raises
-    RuntimeError if the sum is also singular.
+    `alone` is True if the supports hold the frame without the links; K is then positive definite.
+    Otherwise, s B^T B is added to K. This makes K positive definite and does not change the
+    solution, because B u is g. Raises RuntimeError if the sum is also singular.
     """
     s = 0.0 if alone else float(abs(K.diagonal()).mean())
     factor = positive_factor(csc_array(K + s * (B.T @ B)) if s else K)

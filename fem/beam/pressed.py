@@ -1,7 +1,8 @@
 """Frame whose end has large displacements along x: equilibrium path, reactions at the guided end.
 
-For springs of thin strip, whose stiff and soft directions differ by many powers of ten. Strains are
-therefore differences in extended precision, and stiffnesses are computed from strains.
+Springs of thin strip have axial and bending stiffnesses that differ by many powers of ten. Strains
+are therefore computed from differences of displacements in extended precision, and the stiffnesses
+of the head from strains.
 """
 
 from collections.abc import Iterable
@@ -50,7 +51,7 @@ class PressedFrame:
         return self.frame("yr")
 
     def compressed(self, U: Iterable[float], since: BeamState | None = None) -> list[BeamState]:
-        """Equilibrium states at the displacements `U` of the guided head, after rest or `since`."""
+        """Equilibrium states at displacements `U` of the guided head, from rest or from `since`."""
         one = {self.head: {"x": 1.0}}
         return list(self.guided.displaced(one, U, since=since).states)
 

@@ -71,10 +71,10 @@ def deflected(one: PressedFrame, u: Array) -> Array:
 def both_paths(one: PressedFrame, length: float, drawn: float) -> dict[str, Array]:
     """Arrays (name: array) that describe the paths of a free head and of a guided head.
 
-    "free" (m, 4): force, displacements along x and y, determinant relative to the undeformed frame.
-    "guided" (k, 4): displacement, force, lateral stiffness, determinant of a hinged head relative
-    to the undeformed frame. "free_shape": centre line of the free path at the displacement `drawn`
-    x `length`.
+    "free" (m, 4): force, displacements along x and y, determinant divided by that of the undeformed
+    frame. "guided" (k, 4): displacement, force, lateral stiffness, determinant of a hinged head
+    divided by that of the undeformed frame. "free_shape": centre line of the frame at the
+    displacement `drawn` x `length` of the free head.
     """
     a, b, c, d = DRIFTING
     U = np.concatenate([np.linspace(a, b, 20), np.linspace(c, d, 10)]) * length

@@ -21,8 +21,8 @@ NEAR, STEP = 0.85, 1.25  # of the linear load's displacement; from one displacem
 def linear_load(one: PressedFrame) -> tuple[float, float]:
     """Linearised buckling load of the frame with a free head [force], and its round-off error.
 
-    The frame does not deform before buckling. The round-off error is the change in the last step of
-    inverse iteration, plus the error by rounded node coordinates.
+    The deformation of the frame before buckling is neglected. The round-off error is the change in
+    the last step of inverse iteration, plus the error due to rounded node coordinates.
     """
     frame = one.frame("")
     rest, e = frame.rest(), frame.elements
@@ -42,10 +42,10 @@ def linear_load(one: PressedFrame) -> tuple[float, float]:
 def buckling_state(one: PressedFrame, until: float) -> tuple[float, float, BeamState | None]:
     """Smallest displacement of a guided head at which the head buckles if it is released there.
 
-    The results are this displacement, its round-off error, and the state. The result is NaN and
-    None if the head does not buckle up to `until`. The search begins at the linearised buckling
-    load. A lower critical point is not missed, because the determinant changes its sign at the
-    first critical point from rest.
+    The results are this displacement, its round-off error, and the state. The displacement is NaN
+    and the state None if the head does not buckle up to `until`. The first displacement of the
+    search is near the linearised buckling load. A lower critical point is not missed, because the
+    sign of the determinant is compared with that of the unloaded state.
     """
     load, _ = linear_load(one)
     rest, at = one.guided.rest(), 0.0
@@ -60,7 +60,7 @@ def buckling_state(one: PressedFrame, until: float) -> tuple[float, float, BeamS
 
 
 def _held(one: PressedFrame, since: Held, step: float) -> Held:
-    """State at the displacement `step` from another state, and stiffness of the head."""
+    """State after the further displacement `step` from `since`, and stiffness of the head."""
     state = one.compressed([step], since[0])[0]
     return state, one.head_stiffness(state)
 
@@ -68,9 +68,10 @@ def _held(one: PressedFrame, since: Held, step: float) -> Held:
 def _located(
     one: PressedFrame, before: Held, beyond: Held, at: float, u: float
 ) -> tuple[float, float, BeamState]:
-    """Critical point between the displacement `at` of a state and `u` of a later state.
+    """Critical point between the states `before` and `beyond`, at the displacements `at` and `u`.
 
-    The determinant is accurate to round-off between these states; its root is therefore unique.
+    Between these states, the determinant is accurate to round-off, so that noise does not cause
+    additional roots.
     """
     found = {0.0: before, u - at: beyond}
 

@@ -55,7 +55,7 @@ class FrameSolution:
     ratio is the square of a relative displacement. `section_forces` (elements, k, 3) are axial
     force, shear force and bending moment at the `stations` (elements, k, 2) of each element: both
     ends of a straight element, the Gauss points of a curved element. `link_forces` (links,) are
-    positive if they separate the points of a link along its direction. Tension is positive. The
+    positive if they separate the two points of a link along its direction. Tension is positive. The
     moment EI d(rotation)/ds and the shear force along the normal (the tangent rotated by +90 deg)
     follow the direction of the element: V = -dM/ds.
     """
@@ -75,9 +75,9 @@ class FrameSolution:
     def potential_energy(self) -> float:
         """Strain energy minus the work of the loads [force x length].
 
-        It is stationary at the solution: an error of u has a squared effect. Under loads without
-        prescribed displacements, it is minus half the work of the loads; the compliance is then -2
-        x potential energy / force^2.
+        It is stationary at the solution: the effect of an error of u is of second order. Under
+        loads without prescribed displacements, it is minus half the work of the loads; the
+        compliance is then -2 x potential energy / force^2.
         """
         # energy of elements between fixed ends is half of the work of their loads there
         return self.strain_energy - 2 * self.between_nodes - float(self.f @ self.u.ravel())

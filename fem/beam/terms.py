@@ -40,7 +40,7 @@ class Term(Protocol):
         ...
 
     def settle(self, x: Positions) -> bool:  # noqa: ARG002
-        """Improve multipliers at the converged `x`; True if equilibrium must be computed again.
+        """Improve multipliers at the converged `x`; return True if Newton's method must run again.
 
         The multipliers are Lagrange multipliers, for example contact forces. `reject` must be able
         to undo all changes. Raises ConvergenceError (`fem.beam.large_balance`) to reject `x`: the
@@ -52,4 +52,4 @@ class Term(Protocol):
         """Accept `x` as the new state: history, multipliers and `dissipated` become final."""
 
     def reject(self) -> None:
-        """Return to the last accepted state; for example, undo what `settle` changed."""
+        """Restore the last accepted state; for example, undo what `settle` changed."""

@@ -32,7 +32,7 @@ NEIGHBOURS = 3.0  # thicknesses along the line within which it cannot meet itsel
 
 
 class Touching(Term, ABC):
-    """Contact of lines with other lines or with an obstacle, tested at probes of the lines.
+    """Contact of lines with other lines or an obstacle, tested at points (probes) of the lines.
 
     `record` contains the contacts of the accepted state; `records` contains those of all states
     since the start of the path, beginning with the reference state.
@@ -87,11 +87,11 @@ class Touching(Term, ABC):
 
     @abstractmethod
     def _start(self, x: Array) -> None:
-        """Begin with the reference state `x`."""
+        """Store the reference state `x`, at which a path begins."""
 
     @abstractmethod
     def _keep(self, x: Array) -> None:
-        """Measure sides and slip from the state `x`."""
+        """Store the accepted state `x`, from which sides and slip are measured."""
 
     @abstractmethod
     def _passed(self, x: Array) -> bool:
@@ -123,8 +123,9 @@ class SelfContact(Touching):
         Arc length [length] below which points of one line are not tested for contact; by default 3
         b. Elements with a common node are never tested.
     share
-        Contact stiffness. The pressure per length is share x EA/b^2 x overlap; the force at free
-        ends is share x EA/b x overlap. It affects the iterations, but not the results.
+        Contact stiffness. The contact force per length is share x EA/b^2 x overlap; the force at
+        free ends is share x EA/b x overlap. The stiffness affects the iterations, but not the
+        results.
     per_element
         Number of probes per element. Each probe searches for the smallest gap in its part of the
         element.

@@ -16,8 +16,8 @@ def closest(curve: Array, at: Array) -> Array:
     """Parameters (k,), 0 to 1, of the points on k curves that are nearest to the points `at`.
 
     `at` is (k, 2). The curves are given by their coefficients from `powers`, (k, 2, 3). Newton's
-    method for the distance begins with the projection on the chord. If the distance is not convex
-    (beyond the centre of curvature), the step has the length scale of the chord.
+    method for the squared distance begins with the projection on the chord. Where this function is
+    not sufficiently convex (near and beyond the centre of curvature), Gauss-Newton steps are used.
     """
     x0, x1, x2 = curve[..., 0], curve[..., 1], curve[..., 2]
     chord = x1 + x2

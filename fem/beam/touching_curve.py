@@ -21,9 +21,9 @@ STORED = ("U", "F", "side", "press", "depth", "work", "stored", "dissipated", "n
 class TouchingLine:
     """Line of quadratic `elements` (m, 3: ends and middle) that may touch itself.
 
-    All elements have the same `section`. `thickness` and `friction` coefficient belong to the
-    strip. `units` are the elements of each part of the line; each part may touch the next. The line
-    begins at the node `start`, is clamped at `tail` and is displaced along x at `head`; the
+    All elements have the same `section`. `thickness` and the coefficient `friction` are those of
+    the strip. `units` are the elements of each part of the line; each part may touch the next. The
+    line begins at the node `start`, is clamped at `tail` and is displaced along x at `head`; the
     components `held` ("yr") of the head are fixed.
     """
 
@@ -72,7 +72,7 @@ class Curve:
     nodes: Indices  # in the order of the line
 
     def arrays(self, name: str) -> dict[str, Array]:
-        """Arrays of the curve, with names that begin with `name`; shapes are centre lines."""
+        """Arrays of the curve, with names that begin with `name`; shapes are those of the line."""
         return {
             **{f"{name} {key}": getattr(self, key) for key in STORED},
             f"{name} shapes": self.shapes[:, self.nodes],
@@ -95,7 +95,8 @@ def compress(
 
     `times` is a factor of the default contact stiffness. After the last `U`, the curve continues
     with the displacements `beyond` until the force is twice the force at the last `U`. If no
-    equilibrium is found there, the curve ends early; this is not a property of the line.
+    equilibrium is found at a displacement in `beyond`, the curve ends before it; this end is not a
+    property of the line.
 
     Raises ArithmeticError if no equilibrium is found at a displacement in `U`.
     """

@@ -1,4 +1,4 @@
-r"""Normal force and friction of points in contact: penalties with multipliers.
+r"""Normal force and friction of points in contact: penalty method with Lagrange multipliers.
 
 The normal force is the positive part of z = multiplier - stiffness x gap, smoothed within the onset
 e = stiffness x `rounding`. Therefore Newton's method encounters no kink:
@@ -6,7 +6,7 @@ e = stiffness x `rounding`. Therefore Newton's method encounters no kink:
 .. math:: N = \frac{(z + e)^2}{4 e}\ (|z| < e), \qquad N = z\ (z \ge e)
 
 Friction sticks with a tangential penalty and slides at |T| = friction x N. During Newton's method,
-the state of each point and its direction of sliding are constant. Between iterations, `settle`
+the state of each point and its direction of sliding are constant. After convergence, `settle`
 corrects the states. It also transfers both forces to the multipliers until penetration and elastic
 slip are below `allowed`.
 """
@@ -44,9 +44,10 @@ class Answer:
 
 
 class Law:
-    """Law of all possible contacts (slots) with the normal `stiffness` (slots,) [force / length].
+    """Contact law of all possible contacts (slots); normal `stiffness` (slots,) [force / length].
 
-    The tangential stiffness in sticking is a constant fraction of `firm` (slots,) [force / length].
+    The tangential stiffness of sticking contacts is a constant fraction of `firm` (slots,) [force /
+    length], the normal stiffness before a reduction.
     """
 
     def __init__(self, stiffness: Array, firm: Array, friction: float, thickness: float) -> None:
@@ -94,7 +95,7 @@ class Law:
         return Answer(energy, force, K, N, T, stick)
 
     def settle(self, touch: Touch, answer: Answer) -> bool:
-        """Correct friction states and multipliers; True if one of them was changed."""
+        """Correct friction states and multipliers; return True if one of them was changed."""
         off = np.abs(touch.gap)[answer.normal > self.onset[touch.slot]].max(initial=0.0)
         crept = np.where(answer.sticking, np.abs(touch.slip), 0.0).max(initial=0.0)
         mended = self.friction > 0 and self._mend(touch, answer)
@@ -105,7 +106,7 @@ class Law:
         return mended or max(off, crept) >= self.allowed
 
     def _mend(self, touch: Touch, answer: Answer) -> bool:
-        """Correct the friction states; True if one of them was changed.
+        """Correct the friction states; return True if one of them was changed.
 
         The states of three kinds of points are corrected: points that stick with more than the
         friction limit, points that slide against their direction, and new points.
@@ -149,7 +150,7 @@ class Law:
         return N, T
 
     def _multiplied(self) -> Array:
-        """Energy of the multipliers at zero gap, which is subtracted."""
+        """Energy at zero gap due to the multipliers, subtracted from the energy of the contacts."""
         held = self.normal > 0
         return _energy(self.normal[held], self.onset[held]) / self.stiffness[held]
 

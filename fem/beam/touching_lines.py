@@ -98,7 +98,7 @@ def _follow(
     H: tuple[Array, Array, Array], slopes: tuple[Array, Array],
     free: tuple[NDArray[np.bool_], NDArray[np.bool_]], a: Array,
 ) -> tuple[Array, Array]:  # fmt: skip
-    """Derivatives (k, m) of eta and xi by the unknowns, zero for fixed parameters."""
+    """Derivatives (k, m) of eta and xi with respect to the unknowns, zero for fixed parameters."""
     H_11, H_12, H_22 = H
     one, two = free
     # places of parallel lines diverge: there the tangent holds the probe in its place
@@ -122,7 +122,7 @@ def _slip(
     x: Array, met: Meeting, both: tuple[Places, Places], probes: Probes, arcs: Arcs, b: float,
     before: Past,
 ) -> tuple[Array, tuple[Array, Array]]:  # fmt: skip
-    """Slip (k,) since the last accepted state, and its derivatives by eta and xi."""
+    """Slip (k,) since the last accepted state, and its derivatives with respect to eta and xi."""
     elements = probes.element[met.slot // 2], met.element
     rotated = x[:, 2] - before.x[:, 2]
     old, slopes = before.n[met.slot], []

@@ -1,4 +1,4 @@
-"""Arc lengths along the lines of a frame, to measure sliding and to exclude near neighbours."""
+"""Arc lengths along the lines of a frame, to measure sliding and to exclude nearby elements."""
 
 from dataclasses import dataclass
 
@@ -27,7 +27,7 @@ class Arcs:
     sense: Array
 
     def place(self, element: Indices, xi: Array) -> tuple[Array, Array]:
-        """Arc lengths (k,) of points on elements, and their derivatives by xi."""
+        """Arc lengths (k,) of points on elements, and their derivatives with respect to xi."""
         nodes = self.elements[element]
         _, slope, _ = shapes(xi, nodes.shape[1])
         stretch = np.hypot(*np.einsum("kp,kpd->dk", slope, self.points[nodes]))

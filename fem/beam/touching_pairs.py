@@ -27,7 +27,7 @@ class Meeting:
     probe is `eta` on its element. `n` (k, 2) is the direction from the nearest point to the probe,
     normal to the element except at an `end`. `distance` along n is negative if the lines have
     crossed since the last accepted state. `held` is True if eta is at a bound of the cell of the
-    probe. `eased` is the addition to the gap, `easing` its derivative by eta.
+    probe. `eased` is the addition to the gap, `easing` its derivative with respect to eta.
     """
 
     slot: Indices
@@ -91,7 +91,7 @@ class Pairs:
         return met.chosen(best[np.diff(met.slot[best], prepend=-1) > 0])
 
     def _least(self, curves: Array) -> Array:
-        """Position eta of the smallest distance of each pair; the middle of the cell if far."""
+        """Position eta of the smallest distance of each pair; for distant pairs, middle of cell."""
         p = self.probes
         eta = p.middle[self.probe]
         met = self._meet(curves, np.arange(self.slot.size), eta)
@@ -99,7 +99,7 @@ class Pairs:
         near = np.flatnonzero(met.distance < NEAR * self.touching + half)
 
         def rise(eta: Array, rows: Indices) -> tuple[Array, Array]:
-            """Distance plus additional gap, and the derivative of this sum by eta."""
+            """Distance plus additional gap, and the derivative of this sum with respect to eta."""
             pair = near[rows]
             probe = self.probe[pair]
             here, own = on(curves[p.element[probe]], eta)
@@ -112,7 +112,7 @@ class Pairs:
         return eta
 
     def _meet(self, curves: Array, pair: Indices, eta: Array) -> Meeting:
-        """Nearest point of the element of each pair to the position eta of the probe."""
+        """For each pair, the point of the element nearest to the position `eta` of the probe."""
         probe, element = self.probe[pair], self.element[pair]
         here, _ = on(curves[self.probes.element[probe]], eta)
         xi, d, tangent, across, end = _project(curves[element], here)
@@ -122,7 +122,7 @@ class Pairs:
         return Meeting(self.slot[pair], element, eta, xi, n, distance, end, held, eased, easing)
 
     def _easing(self, probe: Indices, eta: Array) -> tuple[Array, Array]:
-        """Derivative by eta of the additional gap, and the additional gap."""
+        """Derivative of the additional gap with respect to eta, and the additional gap."""
         off = eta - self.probes.middle[probe]
         easing = self.probes.ease[probe] * off
         return easing, easing * off / 2
@@ -168,7 +168,7 @@ class Pairs:
 
 
 def _project(curve: Array, here: Array) -> tuple[Array, Array, Array, Array, NDArray[np.bool_]]:
-    """Parameter xi on curves, vector to `here`, unit tangent, offset to the left, and end marks."""
+    """Nearest point xi of each curve, vector to `here`, unit tangent, offset, and True at ends."""
     xi = closest(curve, here)
     there, slope = on(curve, xi)
     d = here - there

@@ -47,7 +47,7 @@ class Passing:
         return any(_hit(chords[:, own], chords[:, their]) for own, their in ways)
 
     def _chords(self, x: Array) -> Array:
-        """Corners (2, m, s + 1, 2) of the chords of all elements: when accepted, and at `x`."""
+        """Corners (2, m, s + 1, 2) of the chords of all elements: last accepted state, and `x`."""
         curves = powers(np.stack([self.accepted, x[:, :2]])[:, self.elements])
         bend = np.hypot(*np.moveaxis(curves[..., 2], -1, 0)).max()
         xi = np.linspace(0, 1, 1 + max(1, int(np.ceil(np.sqrt(bend / (4 * self.sagitta))))))
@@ -75,7 +75,7 @@ def _cross(own: Array, their: Array) -> Indices:
 
 
 def _hit(corners: Array, chains: Array) -> bool:
-    """True if a corner crosses a chord of its partner; (2, k, s + 1, 2) before and after."""
+    """True if a corner crosses a chord of its partner; arrays (2, k, s + 1, 2) before and after."""
     p = corners[:, :, :, None]
     a, b = chains[:, :, None, :-1], chains[:, :, None, 1:]
     low, high = np.minimum(a, b).min(axis=0), np.maximum(a, b).max(axis=0)
@@ -92,7 +92,7 @@ def _hit(corners: Array, chains: Array) -> bool:
 
 
 def _times(along: Array, off: Array) -> tuple[Array, Array]:
-    """Two times (k,) at which uniformly moving points are in line; some are nan or inf."""
+    """Two times (k,) at which a corner is on the line of a chord; nan or inf if there is none."""
     (d, e), (f, g) = (along[0], along[1] - along[0]), (off[0], off[1] - off[0])
     c_0, c_1, c_2 = _turn(d, f), _turn(d, g) + _turn(e, f), _turn(e, g)
     with np.errstate(invalid="ignore", divide="ignore"):
@@ -101,7 +101,7 @@ def _times(along: Array, off: Array) -> tuple[Array, Array]:
 
 
 def _on(along: Array, off: Array, time: Array) -> NDArray[np.bool_]:
-    """True where a point on the line of a chord is inside the chord at a time (k, 1)."""
+    """True where a corner on the line of a chord is between the ends of this chord at `time`."""
     way, at = ((1 - time) * v[0] + time * v[1] for v in (along, off))
     share = (way * at).sum(axis=1) / (way**2).sum(axis=1)
     found: NDArray[np.bool_] = (share >= -ENDS) & (share <= 1 + ENDS)

@@ -44,7 +44,7 @@ def powers(corners: Array) -> Array:
 
 
 def on(curve: Array, xi: Array) -> tuple[Array, Array]:
-    """Points (k, 2) of k curves at the parameters xi (k,), and their derivatives (k, 2) by xi.
+    """Points (k, 2) of k curves at the parameters xi (k,), and their derivatives d/dxi (k, 2).
 
     The curves are given by their coefficients from `powers`, (k, 2, 3).
     """
@@ -66,9 +66,9 @@ def lengths(points: Array, elements: Indices, upto: Array) -> Array:
 class Probes:
     """Probes, each of which searches for the smallest gap in its part (cell) of an element.
 
-    The cell is `lower` to `upper` (k,) of `element` (k,). `length` (k,) is the length of line for
-    each probe; at the free end of a line, it is the thickness. `ease` (eta - middle)^2/2 is added
-    to the gap, so that a probe between parallel lines remains in the middle of its cell.
+    The cell is `lower` to `upper` (k,) of `element` (k,). `length` (k,) is the length of line that
+    a probe represents; for a probe at a free end, it is the thickness. `ease` x (eta - middle)^2/2
+    is added to the gap, so that a probe between parallel lines remains in the middle of its cell.
     """
 
     element: Indices
@@ -100,9 +100,10 @@ def probes(points: Array, elements: Indices, thickness: float, per_element: int)
 
 @dataclass(frozen=True)
 class Places:
-    """Points on elements: nodes, shape functions `N` (k, p) and their derivatives `N1` by xi.
+    """Points on elements: nodes, shape functions `N` (k, p) and their derivatives `N1` = dN/dxi.
 
-    `position`, `slope` and `second` (k, 2) are position and first and second derivative by xi.
+    `position`, `slope` and `second` (k, 2) are the position and its first and second derivatives
+    with respect to xi.
     """
 
     nodes: Indices
