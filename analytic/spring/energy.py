@@ -1,4 +1,4 @@
-r"""Stiffness of the accordion spring in its free stage, by energy (Wang et al. 2023, Eqs. 1-9).
+r"""Free stage of the accordion spring: stiffness by the energy method (Wang et al. 2023, Eqs. 1-9).
 
 The equations are corrected; the errata list contains the printed forms. The bending couple is
 :math:`M = F y` with the height y of the centre line above the line of action of the force, which
@@ -123,7 +123,7 @@ def stiffness(
     alpha: ArrayLike,
     E: ArrayLike,
 ) -> Array:
-    r"""Stiffness k_1 [force/length] of the free stage (Eq. 9).
+    r"""Stiffness k_1 [force/length] of the free stage, before the tips touch (Eq. 9).
 
     .. math:: k_1 = E I \Big/ \int (M/F)^2 ds, \qquad I = h b^3/12
 
