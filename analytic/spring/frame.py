@@ -1,7 +1,8 @@
 r"""Accordion spring as a plane curved frame by the force method, for all end conditions.
 
-The centre line starts in the middle of the head, the origin, along y; the force acts along x. Under
-P = (F_x, F_y, M_0) at the head, the internal forces of a section at (x, y) with the tangent t are
+The origin is the middle of the head, where the centre line starts along y. The force acts along x.
+Under P = (F_x, F_y, M_0) at the head, the internal forces of a section at (x, y) with the tangent t
+are
 
 .. math:: M = y F_x - x F_y + M_0, \qquad N = -(F_x, F_y)\cdot t, \qquad V = -(F_x, F_y)\cdot n
 

@@ -10,7 +10,7 @@ def moment_diagram(
 ) -> tuple[Array, Array]:
     r"""Arc lengths [length] and moments per force [length] at `per_piece` points of every piece.
 
-    The pieces are leaf and arc of the head, arc, leaf, arc of each middle unit, and the arc of the
+    The pieces are: leaf and arc of the head; arc, leaf and arc of each middle unit; arc of the
     tail. The columns 0 and -1 of ``reshape(-1, per_piece)`` are the ends of the pieces. Both arrays
     have the shape (per_piece (3 n - 3),). With the couple T at the apex before a unit and s = +1,
     -1, ...:

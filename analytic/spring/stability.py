@@ -1,13 +1,13 @@
 r"""Lateral buckling of an accordion spring: critical points of its elastica.
 
-The spring is compressed with a guided head. If the lateral guide is removed, its force acts on the
-head as a dead load. At a critical point, the head can move without a change of load: a part of
-`State.J` is singular. Beyond this displacement, the spring is stable only with the guide. The
-lateral stiffness of the guided head is the stiffness against a movement along y.
+The spring is compressed with a guided head. If the lateral guide is removed, the force of the guide
+still acts on the head, as a dead load. At a critical point, the head can move without a change of
+load: a part of `State.J` is singular. Beyond this displacement, the spring is stable only with the
+guide. The lateral stiffness of the guided head is the stiffness against a movement along y.
 
-There is no earlier bifurcation on this path. A head that is free from the beginning drifts
-immediately, because its force bends the spring more to one side than to the other. The drift
-increases without limit near the same force.
+On this path, there is no bifurcation before the first critical point. A head that is free from the
+beginning drifts immediately, because the force along x bends the spring more to one side than to
+the other. The drift increases without limit near the force of the critical point.
 
 References
 ----------

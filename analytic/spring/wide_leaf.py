@@ -14,8 +14,9 @@ of Kirchhoff's plate is minimised by the deflection
    + \sum_{i\ \text{odd}} \sum_{j\ \text{even}} c_{ij}\, X_i(\xi)\, Y_j(\eta),
 
 where X_i'' and Y_j'' are Legendre polynomials, so that X_i and X_i' are zero at both ends (i >= 3).
-Every finite sum is too stiff. The energy of the beam is 3/2, with E I in place of the stiffness of
-the plate. Hence the factor :math:`f = \Pi/(3/2)/(1-\nu^2)`, which depends only on h/l and nu.
+With a finite number of terms, the stiffness is too large. The energy of the beam is 3/2, with E I
+in place of the stiffness of the plate. Hence the factor :math:`f = \Pi/(3/2)/(1-\nu^2)`, which
+depends only on h/l and nu.
 
 References
 ----------

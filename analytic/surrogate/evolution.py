@@ -2,8 +2,8 @@
 
 Source: R. Storn and K. Price, J. of Global Optimization 11 (1997) 341; implementation of scipy. The
 result is not refined by a gradient method, because the largest of several regimes has kinks, often
-at its minimum, where no gradient exists. Instead, the tolerance of convergence of the population is
-small (1e-8).
+at its minimum, where no gradient exists. Instead, the search ends only at a small spread of the
+values of the population (1e-8 of their mean).
 """
 
 import numpy as np

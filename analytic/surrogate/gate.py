@@ -3,8 +3,8 @@
 If the model has a kink, leaving out one design of a factorial at a time is not a sufficient test,
 because neighbours at the same level of the other parameters also contain the kink. Leaving out a
 whole level is better and needs no new value of the model. The table gives results for the largest
-pressure between sprag and race over three profile parameters (5^3 designs, 200 additional random
-points, mean/largest relative error in %):
+pressure between sprag and race over three profile parameters (mean/largest relative error in %,
+from 5^3 designs; "true": error at 200 additional random points):
 
     surrogate                     torque   true       one left out   level left out
     one process, with the kinks   25 N m   0.67/3.2   0.010/0.07     0.90/3.7
@@ -15,8 +15,8 @@ points, mean/largest relative error in %):
 With one design left out, the mean error is too small by a factor of 9 to 70, and the ranking of the
 first two rows is wrong (25 N m seems better, although it is worse). With a level left out, the mean
 error is too large by a factor of 1.3 to 2.7, because the spacing is doubled. Ten random points are
-too few: with the limits below, the first row passes in one of five samples (with twenty points, in
-one of ten), the last two rows always.
+too few: with the default limits of `gate`, the first row passes in one of five samples (with twenty
+points, in one of ten), the last two rows always.
 
 A surrogate is therefore tested twice: with a level left out, before any new evaluation, and on at
 least twenty new random points. Errors with one design left out are only used to find the design

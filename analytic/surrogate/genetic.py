@@ -5,7 +5,8 @@ Source: Huang et al. 2018, Sec. 3: a population of 500, 100 generations, crossov
 algorithm of textbooks is assumed. Every parameter is a Gray code of `bits` bits. Parents are
 selected by tournaments of two. The codes of a pair are combined by one-point crossover with the
 given probability. Each bit is inverted with the probability of mutation. The best individual so far
-is the first child. The first generation is random, so that 500 x 100 points are evaluated.
+is the first child. The random first generation is one of the 100, so that 500 x 100 points are
+evaluated.
 """
 
 import numpy as np
@@ -51,7 +52,7 @@ def genetic(
 
 
 def decoded(codes: Codes, bits: int) -> Array:
-    """Points (n, d) of the unit cube from Gray codes (n, d * bits); 0 and 1 are included.
+    """Points (n, d) of the unit cube from Gray codes (n, d * bits), bounds included.
 
     >>> decoded(np.array([[0, 0], [0, 1], [1, 1], [1, 0]], bool), 2).ravel().round(3).tolist()
     [0.0, 0.333, 0.667, 1.0]

@@ -110,7 +110,7 @@ def infill(
         if on_design and this.error > agree:
             raise ArithmeticError(
                 f"at the existing design {this.x}, the surrogate has {this.predicted:.6g} and the "
-                f"true model now returns {this.true:.6g}: both must give its stored value"
+                f"true model now returns {this.true:.6g}: both must give the value stored for it"
             )
         history.append(this)
         if not on_design:

@@ -1,6 +1,6 @@
 """Surrogate of the largest of several quantities: each of them (a regime) is kriged separately.
 
-Where the largest of several quantities changes from one to another, it has a kink, which a smooth
+At a point where another quantity becomes the largest, the largest value has a kink, which a smooth
 process cannot represent. Each quantity alone is smooth. A power of a quantity is kriged if this
 power is smoother than the quantity; for example, the square of a Hertzian pressure is proportional
 to force per length.

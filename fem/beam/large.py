@@ -147,7 +147,7 @@ class LargeFrame:
         """Equilibrium states at the node displacements `moved` times each of the `factors`.
 
         `moved` has components "x", "y" and the rotation "r" for each node. `reactions` include the
-        forces that the displacements require. `loads` act in full from the start. With `since` (a
+        forces that the displacements require. `loads` act in full in every state. With `since` (a
         state of another path), displacements and loads are added to those of that state.
 
         Raises

@@ -1,10 +1,11 @@
-"""Arc-length control along an equilibrium path, which passes limit points and snap-backs.
+"""Arc-length control, which passes limit points and snap-backs of an equilibrium path.
 
 The arc length of a step is the root mean square of the displacements (divided by the size of the
 frame) and rotations of all nodes. The load factor is not included (Crisfield's cylinder). The
 equation of the arc length is linearised in each iteration (Ramm, Wriggers & Simo); therefore, no
 choice between two roots is necessary. If the direction of a step differs by more than 60° from the
-tangent (90° if terms have kinks), the step is repeated with a smaller size.
+tangent (90° if the frame has additional terms, which can have kinks), the step is repeated with a
+smaller size.
 """
 
 import math

@@ -28,7 +28,7 @@ class Control(Protocol):
     """Condition besides equilibrium: a given load factor, or a given arc length.
 
     `kink` is the permitted squared deviation of a step from its prediction, relative to the squared
-    length of the prediction. It applies if terms have kinks.
+    length of the prediction. It applies if the frame has additional terms, which can have kinks.
     """
 
     kink: float

@@ -202,7 +202,7 @@ def _rows(n: int, node: int) -> slice:
 
 
 def _parts(count: int, elements: Indices) -> Indices:
-    """Number of the connected part of the frame to which every node belongs."""
+    """For each node, the number of the connected part of the frame to which the node belongs."""
     first = np.repeat(elements[:, :1], elements.shape[1], axis=1).ravel()
     joined = csc_array((np.ones(first.size), (first, elements.ravel())), shape=(count, count))
     return np.asarray(connected_components(joined, directed=False)[1], dtype=np.int64)

@@ -120,8 +120,8 @@ class SelfContact(Touching):
     friction
         Coulomb's coefficient.
     apart : optional
-        Arc length [length] below which points of one line are not tested for contact; by default 3
-        b. Elements with a common node are never tested.
+        Points of one line are not tested for contact if the arc length between them is less than
+        this [length]; by default 3 b. Elements with a common node are never tested.
     share
         Contact stiffness. The contact force per length is share x EA/b^2 x overlap; the force at
         free ends is share x EA/b x overlap. The stiffness affects the iterations, but not the

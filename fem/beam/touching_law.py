@@ -1,14 +1,15 @@
 r"""Normal force and friction of points in contact: penalty method with Lagrange multipliers.
 
-The normal force is the positive part of z = multiplier - stiffness x gap, smoothed within the onset
-e = stiffness x `rounding`. Therefore Newton's method encounters no kink:
+The normal force is the positive part of z = multiplier - stiffness x gap, smoothed where |z| is
+less than the onset e = stiffness x ROUNDING x thickness. Therefore Newton's method encounters no
+kink:
 
 .. math:: N = \frac{(z + e)^2}{4 e}\ (|z| < e), \qquad N = z\ (z \ge e)
 
-Friction sticks with a tangential penalty and slides at |T| = friction x N. During Newton's method,
-the state of each point and its direction of sliding are constant. After convergence, `settle`
-corrects the states. It also transfers both forces to the multipliers until penetration and elastic
-slip are below `allowed`.
+Points in contact stick with a tangential penalty and slide at |T| = friction x N. During Newton's
+method, the state of each point and its direction of sliding are constant. After convergence,
+`settle` corrects the states. It also transfers both forces to the multipliers until penetration and
+elastic slip are below `allowed`.
 """
 
 from dataclasses import dataclass
@@ -47,7 +48,7 @@ class Law:
     """Contact law of all possible contacts (slots); normal `stiffness` (slots,) [force / length].
 
     The tangential stiffness of sticking contacts is a constant fraction of `firm` (slots,) [force /
-    length], the normal stiffness before a reduction.
+    length]: the normal stiffness without the reduction for long probes.
     """
 
     def __init__(self, stiffness: Array, firm: Array, friction: float, thickness: float) -> None:
