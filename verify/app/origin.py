@@ -60,7 +60,7 @@ def of_module(name: str) -> Iterator[str]:
 
 
 def _code(case: Case) -> dict[str, tuple[str, list[str]]]:
-    """For formulas and reference: place of the function, and the modules that it reaches."""
+    """The functions for formulas and for the reference, each with its name and its modules."""
     found = {}
     for side, parts in SIDES.items():
         function = case.analytic if side == "formulas" else case.reference

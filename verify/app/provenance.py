@@ -18,7 +18,7 @@ PACKAGES = (
 
 
 def provenance(root: Path, results: Sequence[CaseResult], seconds: float) -> dict[str, Any]:
-    """Record of the provenance for the report; an unknown commit or lock is "unknown"."""
+    """Provenance of a run for the report; an unknown commit or lock file is "unknown"."""
     return {
         "made": time.strftime("%Y-%m-%d %H:%M UTC", time.gmtime()),
         **conditions(root),

@@ -47,7 +47,7 @@ def release(root: Path, name: str, *, jobs: int = 0) -> Path:
 
 
 def solved(jobs: int) -> Report:
-    """Report of all cases, judged."""
+    """Solve and judge all cases, and return the report."""
     start = time.perf_counter()
     results = solve([Job(case, case.inputs(), drawn=False) for case in CASES], Where(jobs), True)
     return make_report(results, CASES, time.perf_counter() - start)
@@ -68,7 +68,7 @@ def refuse_red(report: Report) -> None:
 
 
 def _refuse_unready(root: Path, path: Path, name: str) -> str:
-    """Commit that is checked out. Raises InputError if it cannot become this release."""
+    """Return the id of the present commit. Raises InputError if it cannot become this release."""
     if changed := _git(root, "status", "--porcelain"):
         raise InputError(f"commit all changes before a release: {changed.splitlines()[0]}")
     if path.exists() or _git(root, "tag", "--list", f"v{name}"):

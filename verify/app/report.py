@@ -61,7 +61,7 @@ def make_report(
 
 
 def _claims(cases: Sequence[Case], parts: Parts) -> Mapping[str, Sequence[str]]:
-    """Inputs of the cases that are equal to a printed number, by "paper:id"."""
+    """Inputs of the cases that equal a printed number, by "paper:id" of the number."""
     from verify.papers.paper_tables import claiming_inputs
 
     def of_case(name: str) -> Mapping[str, Sequence[str]]:
@@ -90,7 +90,7 @@ def _crosschecks(results: Sequence[CaseResult], parts: Parts) -> tuple[Crosschec
 def _validity(
     results: Sequence[CaseResult], cases: Sequence[Case], parts: Parts
 ) -> tuple[Validity, ...]:
-    """Ranges of validity of the formulas, which are valid for the inputs of the papers."""
+    """Ranges of validity of the formulas, for the inputs of the papers."""
     by_name = {result.id: result for result in results}
 
     def of_case(name: str) -> Validity | None:
@@ -122,7 +122,7 @@ def _studies(results: Sequence[CaseResult], parts: Parts) -> tuple[StoredStudy, 
 
 
 def _budgets(results: Sequence[CaseResult], parts: Parts) -> tuple[CaseBudget, ...]:
-    """Error budgets, which are valid for the inputs of the papers."""
+    """Error budgets for the inputs of the papers."""
     by_name = {result.id: result for result in results}
 
     def of_case(name: str) -> CaseBudget | None:
@@ -142,7 +142,7 @@ def _drift(results: Sequence[CaseResult]) -> Drift | None:
 
 
 def _searches(names: Sequence[str]) -> tuple[ReadingsTried, ...]:
-    """Other readings of printed numbers that the first reading does not give."""
+    """Results of the searches for other readings of printed numbers in the named cases."""
     from verify.studies.readings.tried import searches
 
     return searches(names)
@@ -156,7 +156,7 @@ def _caught() -> Caught:
 
 
 def _verdicts(results: Sequence[CaseResult], parts: Parts) -> tuple[FormulaVerdict, ...]:
-    """Verdicts of the papers' formulas; those of a paper depend on the cases of its evidence."""
+    """Verdicts of all papers' formulas, which depend on the cases of the papers' evidence."""
     rows = [row for result in results for row in result.rows]
 
     def of_paper(key: str) -> tuple[FormulaVerdict, ...]:

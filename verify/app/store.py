@@ -17,7 +17,7 @@ DAY = 86400.0  # s
 
 
 def run_store(*, as_json: bool, clear: str | None) -> int:
-    """List the stored results; `clear` first removes those of a kind, or of KIND:SUBJECT.
+    """List the stored results. Those named by `clear` (KIND or KIND:SUBJECT) are removed first.
 
     Raises InputError for an unknown kind. Returns the exit status.
     """

@@ -42,7 +42,7 @@ def key_of(root: Path, names: Sequence[str], form: str = "") -> str:
 def found(out: Path, key: str) -> Reported | None:
     """Output of the run whose report is in a folder; None if the report is no longer valid.
 
-    Removed stored results and changed files of the report also count as changes.
+    The report is also no longer valid if its files were changed, or its stored results removed.
     """
     try:
         stamp = json.loads((out / STAMP).read_text("utf-8"))
@@ -69,7 +69,7 @@ def keep(out: Path, key: str, levels: Sequence[str], reported: Reported) -> None
 
 
 def _files(out: Path) -> dict[str, list[int]]:
-    """Size and time of each file of a report."""
+    """Size and time of the last change of each file of a report."""
     return {
         path.relative_to(out).as_posix(): [path.stat().st_size, path.stat().st_mtime_ns]
         for path in sorted((*out.iterdir(), *out.glob("report/*.html")))

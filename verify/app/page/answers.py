@@ -134,7 +134,7 @@ def _is_symbol(word: str) -> bool:
 
 
 def _wrong(case: Case, raw: Mapping[str, Any], message: str) -> Shown:
-    """Each input that is missing or invalid, otherwise the violated rule between inputs."""
+    """Answer that states each missing or invalid input or, if none, the violated rule."""
     faults = wrong_values(case.inputs, raw)
     if match := _MISSING.search(message):
         faults |= dict.fromkeys(match[1].split(", "), MISSING)

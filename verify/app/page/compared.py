@@ -16,7 +16,7 @@ Row = tuple[str, str, str, str]  # symbol, meaning, A, B
 def compared(
     case: Described, raws: tuple[Mapping[str, Any], Mapping[str, Any]], shown: tuple[Shown, Shown]
 ) -> Markup:
-    """Verdicts and margins, then inputs and values with symbol and description."""
+    """HTML of verdicts and margins, then of inputs and values with symbol and description."""
     same: list[Row] = []
     parts = [Markup("<h3>Variants side by side</h3>"), table(("", *SIDES), list(_answers(*shown)))]
     for title, rows in (("Inputs", _inputs(case, raws, shown)), ("Values", _values(*shown))):
@@ -70,7 +70,7 @@ def _text_of(place: str, given: Mapping[str, str], shown: Shown) -> str:
 
 
 def _flat(raw: Mapping[str, Any]) -> dict[str, str]:
-    """Texts of inputs by place."""
+    """Texts of inputs by their places, such as "supports[2].k" for an input in a table."""
     found: dict[str, str] = {}
     for name, value in raw.items():
         if isinstance(value, list):

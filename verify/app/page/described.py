@@ -80,7 +80,7 @@ class Described:
         return text if unit == "1" or not units.is_bare(text) else f"{text.strip()} {unit}"
 
     def refuse_shapes(self, raw: Mapping[str, Any]) -> None:
-        """Raise InputError if a file or a link has another value where a table is required."""
+        """Raise InputError if the raw value of a table is not a list of entries."""
         for table in (f.name for f in self.fields if f.is_table and f.name in raw):
             entries = raw[table]
             if not isinstance(entries, list) or not all(isinstance(e, Mapping) for e in entries):
@@ -100,7 +100,7 @@ def describe(case_name: str, _notify: Callable[[Any], None] = print) -> Describe
 
 
 def model_of(case: Case) -> Mapping[str, str]:
-    """Inputs of a case (symbol: name); for an input without a symbol, the key is its name."""
+    """Names of a case's inputs by symbol; an input without a symbol has its name as key."""
     return {meta(f)["symbol"] or n: n for n, f in case.inputs.model_fields.items()}
 
 

@@ -18,7 +18,7 @@ class Folder:
     """Access to the files of one folder by their names."""
 
     def __init__(self, root: Path) -> None:
-        """InputError if `root` is no folder."""
+        """Raise InputError if `root` is not a folder."""
         if not root.is_dir():
             raise InputError(f"--folder {root}: is no folder; give an existing folder")
         self.root = root.resolve()
@@ -26,8 +26,8 @@ class Folder:
     def path(self, name: str, *suffixes: str) -> Path:
         """The path of a file in the folder or in one of its subfolders.
 
-        InputError if the file is outside the folder (also by a link), is hidden or has another
-        suffix.
+        Raises InputError if the file is hidden, has none of the `suffixes`, or is outside the
+        folder. A link in the folder to a file outside is also refused.
         """
         parts = name.replace("\\", "/").split("/")
         if not name.strip() or len(name) > LONGEST or not name.isprintable():

@@ -1,4 +1,4 @@
-"""Entries that a user of the page can select: parts, then all cases."""
+"""Entries that a user of the page can select: machine parts, all cases, cases in the folder."""
 
 from collections.abc import Sequence
 
@@ -16,7 +16,10 @@ PARTS = {
 
 
 def groups(files: Sequence[str], also: str = "") -> list[tuple[str, list[tuple[str, str]]]]:
-    """Headings, each with the (name, title) of its entries. `files` are Python files with cases."""
+    """Headings, each with the (name, title) of its entries.
+
+    `files` are Python files with cases. `also` is added to them if it is a Python file.
+    """
     own = sorted({*files, *([also] if also.endswith(".py") else [])})
     found = [
         ("Parts", [(case, title) for title, case in PARTS.items()]),

@@ -73,7 +73,7 @@ def _raised(points: Array, values: Array) -> Array:
 
 
 def _surface(shape: Shape, points: Array, colours: Mapping[str, str]) -> dict[str, Any]:
-    """Triangles of all cells with their values; the values of a cell are at its vertices."""
+    """Triangles of all cells, with a value at each vertex."""
     corners = shape.cells
     triangles = [corners[:, [0, k, k + 1]] for k in range(1, corners.shape[1] - 1)]
     trace: dict[str, Any] = {
@@ -95,7 +95,7 @@ def _surface(shape: Shape, points: Array, colours: Mapping[str, str]) -> dict[st
 
 
 def _at_pointer(shape: Shape) -> str:
-    """Text at the pointer: the value, and the position on the screen in the axes of the figure."""
+    """Text at the pointer: the value, and the position at which it is drawn."""
     symbol, _, unit = lowered(shape.label).partition(" [")
     value = "10<sup>%{intensity:.3g}</sup>" if shape.decades else "%{intensity:.4g}"
     return (

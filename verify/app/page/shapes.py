@@ -88,9 +88,9 @@ def _free_edges(shown: Body) -> Indices:
 
 
 def _in_part(pairs: Indices, whole: Body, window: Box, name: str) -> Indices:
-    """Edges of the whole body in the part in the window, with the numbers of its points.
+    """The edges `pairs` that are inside the window, with the point numbers of the cut body.
 
-    Edges at which the window cuts the body are not edges of the body.
+    Edges along which the window cuts the body are not included.
     """
     numbered = replace(whole, values=np.arange(len(whole.cells), dtype=float))
     part, _mean = in_window(numbered, window, name)
@@ -123,7 +123,7 @@ def _separate(shown: Body) -> Body:
 
 
 def _renumbered(pairs: Indices, cells: Indices) -> Indices:
-    """Edges with the numbers of vertices that are separate for each cell."""
+    """The edges `pairs` with vertex numbers that are valid if no cells share a vertex."""
     number = np.zeros(int(cells.max()) + 1, dtype=np.int64)
     number[cells.ravel()] = np.arange(cells.size)
     return np.asarray(number[pairs])

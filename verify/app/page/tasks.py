@@ -41,10 +41,10 @@ def finite_elements(case: str, name: str, raw: Mapping[str, Any], notify: Notify
 
 
 def fields(case: str, name: str, raw: Mapping[str, Any], notify: Notify) -> tuple[Shape, ...]:
-    """The fields of the finest mesh as bodies; InputError if the case has none."""
+    """The fields of the finest mesh as bodies. Raises InputError if the case has none."""
     file = _file(case, name, raw)
     if not file.case.pictures(file.inputs):
-        raise InputError("this case has no field to display: it states no pictures of fields")
+        raise InputError("this case has no field to display: it defines no pictures of fields")
     result = _solved(file, notify).result
     if found := shapes(result.fields, result.pictures):
         return found
@@ -52,7 +52,7 @@ def fields(case: str, name: str, raw: Mapping[str, Any], notify: Notify) -> tupl
 
 
 def _solved(file: ParameterFile, notify: Notify) -> Checked:
-    """The check with finite elements, whose levels are solved first to report the progress."""
+    """The check with finite elements. The levels are solved first, to report the progress."""
     if reason := file.case.too_large(file.inputs):
         raise InputError(f"these inputs cannot be solved by finite elements: {reason}")
 
@@ -123,7 +123,7 @@ def sweep(
 
 
 class _Point:
-    """One result at changed inputs. `problem` keeps the first message."""
+    """Computes one result at changed inputs. `problem` is the message of the first failure."""
 
     def __init__(self, file: ParameterFile, axes: Sequence[Axis], result: str) -> None:
         self.file, self.axes, self.result, self.problem = file, axes, result, ""

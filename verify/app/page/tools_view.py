@@ -65,7 +65,7 @@ class Tools:
             job.cancel()
 
     def mark_outdated(self) -> None:
-        """Mark the result of a job if it does not belong to the present inputs."""
+        """Mark each result of a job as outdated if it does not belong to the present inputs."""
         for name, raw in self.made.items():
             self.old[name].set_content(OLD if raw != self.screen.session.state.raw else "")
 

@@ -48,7 +48,7 @@ class Choice:
 
     @property
     def is_offered(self) -> bool:
-        """Whether the value is an option; a forged message of a browser can contain any text."""
+        """Whether the value is an option; it may be another text if a browser message is forged."""
         return self.value in self.options
 
 

@@ -74,7 +74,7 @@ def _generic(
     rounded: bool,
     show: Show,
 ) -> tuple[Outcome, dict[str, Any]]:
-    """Result of a search on a formula value of a case, with the usual readings of its inputs."""
+    """Result of a search on a formula value of a case, with the usual readings of all inputs."""
     case, key, reference = _asked(name, key)
     inputs = case.inputs() if file is None else _of_file(file, case)
     values = case.analytic(inputs)
@@ -145,7 +145,8 @@ def _asked(name: str, key: str) -> tuple[Case, str, str]:
         if getattr(check, "name", "") == row and (found := getattr(check, "analytic", "")):
             return case, found, getattr(check, "reference", "")
     raise InputError(
-        f"{case.id} has no row {row!r} with a formula, see freewheel explain {case.id}"
+        f"{case.id} has no row {row!r} with a formula; "
+        f"to list its rows, run: freewheel explain {case.id}"
     )
 
 
@@ -160,7 +161,7 @@ def _references(name: str) -> str:
 
 
 def _claimed(name: str) -> tuple[Case, str, str]:
-    """Case, key and name of the row that compares a formula with a printed number."""
+    """Case and key of the formula that is compared with the printed number `name`, and `name`."""
     try:
         published(name)
     except KeyError as error:

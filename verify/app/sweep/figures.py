@@ -63,7 +63,7 @@ def of_grid(plan: Plan, course: Course, regions: Sequence[Region]) -> Sequence[P
 
 
 def panels(plan: Plan, course: Course) -> Sequence[Panels]:
-    """Maps for more than two axes: cuts, and largest error over the values of the other axes."""
+    """Maps for more than two axes: largest error over the other axes, and cuts at fixed values."""
     if plan.star or len(plan.axes) < 3:
         return ()
     shape = plan.shape

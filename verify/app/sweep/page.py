@@ -68,7 +68,7 @@ def page(found: Outcome, command: str) -> SweepPage:
 
 
 def _result(plan: Plan, course: Course) -> tuple[About, str]:
-    """Regions or indices of a row, and their summary in words."""
+    """Regions (grid) or sensitivity indices (sample) of a row, and their summary in words."""
     if plan.base:
         about = indices(plan, course)
         return about, sample_in_words(about)

@@ -44,7 +44,7 @@ def grid_in_words(plan: Plan, course: Course, found: Sequence[Region]) -> str:
 
 
 def _nowhere(r: Region) -> str:
-    """Sentence that no point is certainly inside a limit."""
+    """Text which states that the error is certainly within a limit at no point."""
     solved = r.points - r.unsolved
     if r.outside < solved:
         return f"At no point is the error certainly within {limit_named(r)}"
@@ -53,7 +53,7 @@ def _nowhere(r: Region) -> str:
 
 
 def _side(course: Course) -> str:
-    """Part of a sentence if the formula is always too large, or always too small."""
+    """Text which states that the formula is always too large or too small; empty if neither."""
     known = np.isfinite(course.error + course.U_error)
     error, U = course.error[known], course.U_error[known]
     what = course.pair.by or "finite elements"
@@ -88,7 +88,7 @@ def sample_in_words(about: Indices) -> str:
 
 
 def small_sample(about: Indices) -> str:
-    """Sentence if the indices are too uncertain to rank inputs; otherwise ""."""
+    """Text which states that indices are too uncertain to rank inputs; empty if they are not."""
     if not (widest := max(s.widest for s in (about.formula, about.fe, about.error))) > LOOSE:
         return ""
     rows = about.rows + about.dropped

@@ -31,7 +31,7 @@ class Pipe(vc.Case):
         return self.p * (self.r_i + self.r_o) / (2 * self.s)
 
     def reference(self, level: int) -> vc.Level:
-        """Hoop stress by finite elements on a mesh of this level; must not read a formula."""
+        """Hoop stress by finite elements on the mesh of `level`, independent of the formula."""
         from fem.plane.material import Elastic
         from fem.plane.solve import solve_plane
         from meshes.ring.quarter import quarter_ring

@@ -1,4 +1,4 @@
-"""Baseline before the first mutant: statuses, times and called functions, stored for later."""
+"""Statuses, times and called functions of unchanged code, stored for the check of mutants."""
 
 import json
 import time

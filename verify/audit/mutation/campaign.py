@@ -17,7 +17,7 @@ JUDGED, TESTED, SOLVED = range(3)  # stages of a mutant
 
 @dataclass
 class Campaign:
-    """Check of the mutants of one group; `stages`: present stage of each undetected mutant."""
+    """Check of the mutants of one group; `stages` is the present stage of undetected mutants."""
 
     group: Group
     outcomes: Outcomes

@@ -1,11 +1,11 @@
 """Requirement for perturbed references: which rows must fail, and which are only listed.
 
-The requirement applies to comparisons that pass and must detect 1 % or less: identities,
-asymptotics, trends, approximations with an expected interval, and balances. All other rows are
-listed with the reason and their detection limit: facts, SHOWN, NOTE and CALIBRATED rows, and less
-sensitive comparisons. Convergence rows belong to a comparison and have no reference; they are
-neither required to fail nor listed. A row that fails if its reference is changed must also fail if
-a value of its formula is wrong.
+The requirement applies to comparisons that pass and whose required sensitivity is 1 % or less:
+identities, asymptotics, trends, approximations with an expected interval, and balances. All other
+rows are listed with the reason and their detection limit: facts, SHOWN, NOTE and CALIBRATED rows,
+and less sensitive comparisons. Convergence rows belong to a comparison and have no reference; they
+are neither required to fail nor listed. A row that fails if its reference is changed must also fail
+if a value of its formula is wrong.
 """
 
 from collections.abc import Sequence

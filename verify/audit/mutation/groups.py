@@ -188,7 +188,7 @@ def _quick(loads: Sequence[Load]) -> list[Load]:
 
 
 def _imported(noted: Mapping[str, Noted]) -> None:
-    """Import the modules for solving, which would take each child process a second or two."""
+    """Import the modules for solving once, which saves a second or two in each child process."""
     import importlib
 
     for function in sorted({f for one in noted.values() for f in one.functions}):

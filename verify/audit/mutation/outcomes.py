@@ -37,7 +37,7 @@ class Outcome:
 
 
 class Outcomes:
-    """Outcomes of mutants of the code version `code`; each is stored before the next is started."""
+    """Outcomes of mutants of the code version `code`; each outcome is stored at once."""
 
     def __init__(self, store: Store, code: str) -> None:
         self.store, self.code = store, code

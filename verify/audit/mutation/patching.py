@@ -1,8 +1,9 @@
 """Replacement of running code by a mutant, permanently for this process.
 
-The code object of a function is replaced; this affects all names of the function, methods and
-cached functions. A constant is set in every module that has it. Caches of functions of the project
-are cleared, but other results of the old code remain. Therefore, each mutant needs a new process.
+The code object of a function is replaced, so that all names of the function refer to the mutant.
+This also applies to methods and cached functions. A constant is set in every module that has it.
+Caches of functions of the project are cleared, but other results of the old code remain. Therefore,
+each mutant needs a new process.
 """
 
 import ast

@@ -5,11 +5,11 @@ reference there, neither tolerance nor scale nor expected values. Stored finite 
 again; none are solved.
 
 The reference r is multiplied by 1 + p; if r is zero, p times the scale of the row is added. If the
-scale is another magnitude than |r|, p times the scale is tried as well. A row with a scale need not
-detect a fraction of a small r, but the requirement uses the stricter change, p of r. For an
-approximation, the formula is multiplied, because the row bounds its error. For a limit, the formula
-is multiplied at all points, so that d becomes (1 + d)(1 + p) - 1. The reference of a balance is
-zero.
+scale differs from |r|, p times the scale is tried as well. The requirement uses the change by p
+times r, which is stricter if |r| is less than the scale. For an approximation, the formula is
+multiplied, because the row bounds the error of the formula. For an asymptotic limit, the formula is
+multiplied at all points, so that its relative error d becomes (1 + d)(1 + p) - 1. The reference of
+a balance is zero.
 """
 
 from collections.abc import Iterator, Sequence
@@ -111,7 +111,7 @@ def red_names(check: Check, context: Context) -> set[str]:
 
 @contextmanager
 def moved(p: float, *, of_scale: bool = False) -> Iterator[None]:
-    """Context in which all references change: by `p` times the reference, or times the scale."""
+    """Context in which references change by `p` times the reference, or by `p` times the scale."""
     changed = _Moved(p, of_scale)
     kept = {name: getattr(judge, name) for name in SEAMS}
     try:
@@ -127,7 +127,7 @@ SEAMS = ("difference", "approximation", "exact", "fit_limit")  # of `verify.judg
 
 
 class _Moved:
-    """Functions of `judge` that compare with a reference; the reference is first changed by `p`."""
+    """Variants of functions of `judge` that change the reference by `p` before they compare."""
 
     def __init__(self, p: float, of_scale: bool) -> None:
         self.p, self.of_scale = p, of_scale

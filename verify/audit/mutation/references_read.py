@@ -3,8 +3,8 @@
 Module `references_moved` changes a reference only where it is judged. This module multiplies one
 value of the formulas at a time by 1 + p in the data of a check. All numbers that the check derives
 from the value change as well: tolerance, scale, expected interval. The same rows should fail by
-both methods. A row that fails by the first method only does not reveal an error of its formula. A
-row that does not fail for any key computes its formula from the inputs.
+both methods. If a row fails by the first method but not by this one, it does not detect an error of
+its formula. If a row fails for no changed value, it computes its formula from the inputs.
 """
 
 from collections.abc import Iterator, Mapping
@@ -35,8 +35,8 @@ class Noted(Mapping[str, float]):
 class Read:
     """Rows of a check that fail if a single value of the formulas is changed.
 
-    `red` contains, for each key that is read and not zero, the names of failed rows by
-    perturbation.
+    `red` contains the names of failed rows by key of the value and by perturbation. Values that are
+    zero or not read are not included.
     """
 
     red: Mapping[str, Mapping[float, set[str]]]
@@ -50,7 +50,7 @@ class Read:
 
 
 def read(check: Check, context: Context) -> Read:
-    """For each formula value that a check reads: rows of the check that fail if it is changed."""
+    """Find the rows of a check that fail if a formula value that the check reads is changed."""
     noted = Noted(context.analytic)
     check.rows(replace(context, analytic=noted))
     found = {}

@@ -11,8 +11,8 @@ from verify.audit.mutation.trial import Bench
 from verify.core.case import Case
 from verify.core.source_code import modules_of
 
-# s of one core for all levels: these are solved with the mutant. What takes longer judges no mutant
-# of a formula that its levels are made with.
+# s of one core for all levels: these cases are solved with the mutant. Cases that take longer are
+# not used for mutants of formulas on which their levels depend.
 SOLVED = {
     "rotor-clutch": 1.0, "spring-stages": 1.5, "contact-roller-flat": 4.0, "rotor-shaft": 9.0,
     "sprag-engagement": 14.0,
@@ -27,7 +27,7 @@ def formulas_in(case: Case) -> frozenset[str]:
 
 
 def split(module: str, benches: Sequence[Bench]) -> tuple[list[Bench], list[Bench], list[Bench]]:
-    """Three lists: cases whose stored levels remain valid, fast and slow cases to solve again.
+    """Return cases whose stored levels remain valid, fast cases to solve again, and slow ones.
 
     A case is solved again if its finite elements use formulas of `module`. Cases that take too long
     are not included.

@@ -12,7 +12,7 @@ from verify.audit.mutation.sites import Changed, Source, mutants, owners, source
 def reached(
     modules: Iterable[str], operators: Mapping[str, Operator], functions: Collection[str]
 ) -> list[Changed]:
-    """Mutants of all called functions in `modules`, and of the constants that these read."""
+    """Mutants of all called functions in `modules`, and of the constants that they read."""
     found: list[Changed] = []
     for module in modules:
         of = source(module)
@@ -46,9 +46,9 @@ def readers(constant: str, of: Source) -> set[str]:
 def sample(among: Sequence[Changed], size: int, seed: int) -> list[Changed]:
     """Sample of mutants, taken from each operator in turn.
 
-    The order does not depend on other code. Rare faults are selected as often as frequent ones, as
-    long as there are mutants. Of several changes at one place, only the first in this order is
-    selected.
+    The order of the mutants depends only on their ids and on the seed. Operators with few mutants
+    are selected as often as others until none of their mutants remain. Of several changes at one
+    place, only the first in this order is selected.
     """
     waiting: dict[str, deque[Changed]] = defaultdict(deque)
     for one in sorted(among, key=lambda one: _rank(one, seed)):

@@ -137,7 +137,7 @@ class Forks(Executor):
 
 
 def _has_ended(pid: int) -> bool:
-    """Whether a child process has ended; it is not yet removed from the process table."""
+    """Whether a child process has ended; this query does not remove it from the process table."""
     return os.waitid(os.P_PID, pid, os.WEXITED | os.WNOHANG | os.WNOWAIT) is not None
 
 
@@ -161,7 +161,7 @@ def _end(pid: int) -> None:
 
 
 def _start(task: Task, function: Callable[[Task], Any]) -> tuple[int, int]:
-    """Fork a child process for the task; return the read end of its result pipe, and its number."""
+    """Fork a child process for the task; return the read end of the result pipe, and the pid."""
     out, into = os.pipe()
     sys.stdout.flush()
     sys.stderr.flush()

@@ -150,7 +150,7 @@ def _survivor(group: str, one: Sequence[Any], reasons: Mapping[str, str]) -> Sur
 
 
 def complaints(of: Caught) -> list[str]:
-    """Requirements on references and on mutants of formulas that are not met, one line each."""
+    """Unmet requirements on references and on mutants of formulas, one line each."""
     found = [
         f"{group.name}: {group.caught} of {group.tried} mutants are detected, {LEAST:.0%} required"
         for group in of.groups

@@ -90,7 +90,7 @@ def source(module: str) -> Source:
 
 
 def mutants(of: Source, operators: Mapping[str, Operator]) -> list[Changed]:
-    """All changes of the functions, methods and plain constants of a module, in their order."""
+    """All changes of functions, methods and plain constants of a module, in source order."""
     attributes = frozenset(n.attr for n in ast.walk(of.tree) if isinstance(n, ast.Attribute))
     found: list[Changed] = []
     seen: Counter[str] = Counter()

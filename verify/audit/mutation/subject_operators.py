@@ -118,7 +118,7 @@ def component(node: ast.AST, _around: Around) -> Iterator[ast.AST]:
 
 
 def quadrature(node: ast.AST, _around: Around) -> Iterator[ast.AST]:
-    """Reduce the points or the order of a quadrature rule by one."""
+    """Reduce the number of points or the order of a quadrature rule by one."""
     if not isinstance(node, ast.Call):
         return
     if RULES.fullmatch(name_of(node.func)) and node.args and _rule(node.args[0]):

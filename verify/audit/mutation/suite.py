@@ -1,4 +1,4 @@
-"""Tests of the project, run in this process: functions that each test calls, first failure.
+"""Runs tests of the project in this process: finds the functions they call, or a failure.
 
 The module must be used in a forked child process only, because pytest changes the state of the
 process.
@@ -97,8 +97,8 @@ class _Chosen:
 def traced(path: str) -> dict[str, tuple[float, list[str]]]:
     """Time [s] and called functions of each test of a file or folder.
 
-    No test is started after PER_FILE [s]. Raises RuntimeError if the tests cannot be run.
-    Otherwise, such a file would count as a file that detects nothing.
+    No test is started after PER_FILE [s]. Raises RuntimeError if the tests cannot be run. Without
+    this error, such a file would count as a file that detects nothing.
     """
     forget_memoised()
     tracer = _Tracer()
@@ -126,7 +126,8 @@ def covering(functions: Collection[str], traces: Traces, at_most: float = AT_MOS
     """Tests to run for changes of `functions`; their total time is at most `at_most` [s].
 
     Tests that call one of the functions are first; other short tests of the same files follow,
-    because the files may share the call. Both groups are sorted by increasing time.
+    because tests of one file may share the result of a call. Both groups are sorted by increasing
+    time.
     """
     direct = {test for test, (_, called) in traces.items() if not called.isdisjoint(functions)}
     files = {test.partition("::")[0] for test in direct}

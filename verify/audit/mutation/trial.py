@@ -97,7 +97,7 @@ def _solved(bench: Bench, levels: Sequence[int]) -> Verdict | None:
 class Shift:
     """Changes of one level's results by a mutant; `of` adds them to a stored level.
 
-    Arrays are changed only if their shapes are equal.
+    An array is changed only if its shape is the same in `before`, `after` and the stored level.
     """
 
     before: FemResult

@@ -51,7 +51,7 @@ class Load:
         return Judged(states, tuple(errors))
 
     def with_values(self) -> "Load":
-        """Copy with the values of the formulas, so that only the judging is repeated."""
+        """A copy that contains the values of the formulas, so that only the judging is repeated."""
         return replace(self, values=self.case.analytic(self.inputs))
 
 

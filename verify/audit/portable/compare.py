@@ -123,7 +123,7 @@ def _moved(was: Record, now: Record, name: str, *, perturbed: bool) -> Differenc
 def _order(
     before: Sequence[str], after: Sequence[str], known: Mapping[str, Record], name: str
 ) -> list[Difference]:
-    """The first row at another position, among the rows that both machines have."""
+    """The first row that is not at its position in the baseline, among rows of both machines."""
     common = [i for i in after if i in known]
     for was, now in zip((i for i in before if i in set(after)), common, strict=True):
         if was != now:

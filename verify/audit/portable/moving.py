@@ -1,11 +1,12 @@
-"""Change of a row between two machines, and its permissible value.
+"""Change of a row between two machines, in units of the row's tolerance on this machine.
 
-A change is measured in units of the row's tolerance on this machine. For a fact, the tolerance is
-its margin: the permissible change until the verdict changes. For a row without a tolerance, it is
-1e-5 of its scale, so that the limit of one tenth is 1e-6 of the scale.
+For a fact, the unit is the margin: the largest change without a change of the verdict. For a row
+without a tolerance, the unit is 1e-5 of the scale. A change of more than a tenth of the unit is
+reported.
 
-Perturbed inputs change both sides of a row together. In this case, the difference is compared, and
-changes of the values beyond 1e-6 of the scale are reported. A different tolerance would permit
+Perturbed inputs change both sides of a row together. In this case, the difference is compared;
+changes of the values are also reported if they exceed both 1e-6 of the scale and a tenth of the
+unit. A different tolerance would permit
 larger changes; therefore, it is reported as well.
 """
 
@@ -60,7 +61,7 @@ def move(was: Record, now: Record, *, perturbed: bool) -> float:
 
 
 def _allowed(row: Record) -> float:
-    """Permissible change of the row: its tolerance, the margin of a fact, or part of the scale."""
+    """Unit of changes: tolerance of the row, margin of a fact, or a fraction of the scale."""
     U = _tolerance(row)
     if row.kind == FACT and row.difference is not None and math.isfinite(row.difference):
         return max(abs(row.difference) - U, 0.0)
@@ -68,7 +69,7 @@ def _allowed(row: Record) -> float:
 
 
 def _tolerance(row: Record) -> float:
-    """Tolerance of the row; zero if there is none, or if no number can exceed it."""
+    """Tolerance of the row; zero if there is none, or if it is infinite."""
     U = row.tolerance
     return U if U is not None and math.isfinite(U) and U > 0 else 0.0
 
@@ -76,7 +77,7 @@ def _tolerance(row: Record) -> float:
 def is_other_tolerance(was: Record, now: Record) -> bool:
     """Whether the tolerance exists on one machine only, or differs by more than a factor of 2.
 
-    For a fact, a difference below a share of its margin is permissible.
+    For a fact, the tolerances may also differ by up to LIMIT times the margin.
     """
     small, large = sorted((_tolerance(was), _tolerance(now)))
     if was.kind == FACT and large - small <= LIMIT * _allowed(was):
@@ -97,7 +98,7 @@ def _ratio(change: float, allowed: float) -> float:
 
 
 def _scale(row: Record) -> float:
-    """Scale of the row; without a scale, its largest number."""
+    """Scale of the row; if it has none, the largest magnitude of its numbers."""
     if row.scale is not None and math.isfinite(row.scale) and row.scale > 0:
         return row.scale
     numbers = (0.0, *row.values.values(), row.difference)

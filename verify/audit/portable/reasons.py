@@ -51,10 +51,10 @@ def read(path: Path | None = None) -> tuple[Reason, ...]:
     except (OSError, ValueError) as error:
         raise InputError(f"{path}: cannot be read: {error}") from error
     if unknown := [key for key in data if key != "moves"]:
-        raise InputError(f"{path}: {unknown[0]}: unknown key; the only key is moves")
+        raise InputError(f"{path}: {unknown[0]}: unknown key; the only permitted key is moves")
     entries = data.get("moves", [])
     if not isinstance(entries, list):
-        raise InputError(f"{path}: moves must be a list of tables [[moves]]")
+        raise InputError(f"{path}: the key moves must be a list of tables [[moves]]")
     return tuple(_reason(entry, number, path) for number, entry in enumerate(entries, start=1))
 
 

@@ -68,7 +68,7 @@ def run_all(work: Sequence[Work], processes: int, show: Show) -> dict[str, str]:
 
 
 class Progress:
-    """Progress: number of finished cases of all machines, and remaining time."""
+    """Progress of all machines: number of finished cases, and remaining time."""
 
     def __init__(self, work: Sequence[Work], processes: int) -> None:
         self.processes = processes

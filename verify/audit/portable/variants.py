@@ -32,7 +32,7 @@ class Variant:
     flag: str = ""  # instruction set that the processor must have
 
     def applied(self, environment: Mapping[str, str]) -> dict[str, str]:
-        """Environment of the machine's processes: one BLAS thread, the variables of the variant."""
+        """`environment` with one BLAS thread and with the variables of this machine."""
         return {**environment, **dict.fromkeys(THREADS, "1"), **self.environment}
 
 
@@ -104,7 +104,7 @@ def machines(
 
 
 def _missing(variant: Variant, flags: frozenset[str], environment: Mapping[str, str]) -> str:
-    """Reason, known before a start, why the machine cannot be emulated; empty if it can."""
+    """Reason why the machine cannot be emulated; empty if none is known before its start."""
     for name in variant.environment:
         if name not in THREADS and environment.get(name):
             return f"the environment already sets {name}={environment[name]}"

@@ -52,7 +52,7 @@ def rows_of(case: Case, outcome: Outcome) -> CaseRecord:
 
 
 def main(arguments: Sequence[str]) -> int:
-    """Solve the cases that the command line names; return 0 for any verdicts of the rows."""
+    """Solve the cases that the command line names; return 0 whether rows pass or fail."""
     parser = argparse.ArgumentParser(prog="verify.audit.portable.worker")
     parser.add_argument("folder", type=Path)
     parser.add_argument("variant")

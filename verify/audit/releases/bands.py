@@ -58,7 +58,11 @@ def _scale(row_id: str, was: Kept, now: Kept) -> Iterator[Change]:
 
 
 def _acceptance(row_id: str, was: Accepted, now: Accepted) -> Iterator[Change]:
-    """Changes of acceptance limits in words, paired by word; of all figures if words differ."""
+    """Changes of acceptance figures: one for each looser figure, or one for all figures.
+
+    Figures are paired by their words ("accepted" or "required"). If the words of both runs differ,
+    there is one change for all figures.
+    """
     if [word for word, _ in was] == [word for word, _ in now]:
         for old, new in zip(was, now, strict=True):
             if _is_looser(old, new):
@@ -77,7 +81,7 @@ def _acceptance(row_id: str, was: Accepted, now: Accepted) -> Iterator[Change]:
 
 
 def _is_looser(old: tuple[str, float], new: tuple[str, float]) -> bool:
-    """Whether a figure permits more than the previous figure with the same word."""
+    """Whether the figure `new` permits more than the figure `old` with the same word."""
     return new[1] > old[1] if old[0] == "accepted" else new[1] < old[1]
 
 
@@ -113,7 +117,8 @@ def _shares(one: Figure) -> tuple[str, str]:
 def _ranges(was: tuple[float, float] | None, now: tuple[float, float] | None) -> tuple[str, str]:
     """The ends of an interval in both runs, in per cent, as text.
 
-    The number of digits distinguishes both runs. The last digit is at most 1e-4 of the width.
+    The digits suffice to distinguish both runs. One unit of the last digit is at most 1e-4 of the
+    width.
     """
     for more in range(RECORDED_DIGITS):
         texts = _range(was, more), _range(now, more)

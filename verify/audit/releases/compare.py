@@ -5,9 +5,9 @@ numbers are reported if they change by more than the numerical error of the row 
 (verify.audit.releases.thresholds).
 
 A stated reason (verify.audit.releases.reasons) is required for a loosened requirement or band, for
-a larger scale of either, and for a row that is missing or judges less. Without a reason, the run
-fails. Numbers that are printed with equal digits are not a change. Stated numbers are printed with
-all digits that differ.
+a larger scale of either, and for a row that is missing or has a weaker status. Without a reason,
+the run fails. Numbers that are printed with equal digits are not a change. Stated numbers are
+printed with all digits that differ.
 """
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
@@ -83,7 +83,7 @@ def _new(
     renamed: Mapping[str, str],
     run: Collection[str],
 ) -> list[Change]:
-    """Changes for the number of rows of each case that the release does not contain."""
+    """Changes that state, for each case, how many of its rows are not in the release."""
     found = [case_of(i) for i in judged if i not in before and i not in renamed]
     return [
         Change(row=case, aspect="new", was="none", now=f"{n} row{'s' * (n > 1)}")
@@ -98,7 +98,7 @@ def _unused(
     release: Release,
     whole: Collection[str],
 ) -> tuple[str, ...]:
-    """Reasons since the release, for rows of the cases in this run, to which no change belongs."""
+    """Reasons stated since the release, for rows of cases in `whole`, that explain no change."""
     return tuple(
         f"{reason.rows}: {reason.aspect}: {reason.what}"
         for reason in reasons

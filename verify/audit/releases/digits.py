@@ -39,5 +39,5 @@ def is_literal(value: float | None) -> bool:
 
 
 def is_printed(u: float | None) -> bool:
-    """Whether an uncertainty is stated, or is half a unit of the last printed place over √3."""
+    """Whether an uncertainty is stated, or is half a unit of the last digit divided by √3."""
     return u is not None and (is_stated(u) or is_stated(u * math.sqrt(12)))

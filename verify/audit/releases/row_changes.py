@@ -68,7 +68,7 @@ def _moved(
     error: float,
     limit: float,
 ) -> Iterator[Change]:
-    """Change of a value beyond `limit` [unit] and round-off, or of a value in one run only."""
+    """Yield a change if a value differs by more than `limit` and round-off, or if one is missing."""
     was, now = values
     if was is None and now is None:
         return
@@ -91,7 +91,11 @@ def _size(change: float, scale: float, error: float) -> str:
 
 
 def _less_sensitive(row_id: str, was: Kept, now: Kept) -> Iterator[Change]:
-    """Change of the detection limit or uncertainty beyond a factor and 10 % of the band."""
+    """Yield a change if the detection limit or the uncertainty increases more than permissible.
+
+    The increase must exceed both a factor of GROWN and the `sensitivity_limit`. An increase of the
+    uncertainty is reported only if that of the detection limit is permissible.
+    """
     if row_id.endswith(CONVERGENCE):
         return
     for aspect, read in (("detects", _detected), ("uncertainty", _uncertainty)):

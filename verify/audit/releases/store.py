@@ -89,9 +89,9 @@ def kept(row: Row) -> Kept:
 
 
 def _accepted(row: Row) -> float | None:
-    """Permissible difference, relative to the scale, if a figure stated beforehand limits it.
+    """Permissible difference, relative to the scale; None if no figure was stated beforehand.
 
-    The tolerance of the row does not contain the uncertainty, which is added.
+    The numerical uncertainty is added, because the tolerance of the row does not contain it.
     """
     stated = row.kind is Kind.IDENTITY and row.grid is None and row.interval_source
     if not stated or row.tolerance is None or row.u_num is None or not row.scale:

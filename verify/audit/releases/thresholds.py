@@ -5,11 +5,12 @@ requirements, and acceptance limits, bounds, printed digits, and ends or widths 
 are literals in the source.
 
 The last digits of a computed number (a value, a bound from a condition number, an interval from a
-series) depend on the processor; more digits do if equations are badly conditioned. A difference is
-reported if it exceeds the numerical error of the row in both runs and 10 % of the band of the row.
+series) depend on the processor. More digits depend on it if equations are badly conditioned. A
+difference is reported if it exceeds the numerical error of the row in both runs and 10 % of the
+band of the row.
 
 A record does not state to which kind a number belongs, but its digits show it (module digits). It
-is sufficient that the number is stated in one of the runs: if an estimate is replaced by a literal,
+is treated as stated if it is stated in one of the runs: if an estimate is replaced by a literal,
 or a literal by an estimate, the source has changed.
 """
 
@@ -107,8 +108,8 @@ def _either_literal(was: float | None, now: float | None) -> bool:
 def numerical_error(was: Kept, now: Kept) -> float:
     """Expanded numerical error of both runs together, in the unit of the row.
 
-    For a balance or a fact, it is computed from the tolerances of the row. The tolerance of a fact
-    is the uncertainty of its margin; the tolerance of a limit is its band.
+    For a balance, it is computed from the tolerances. For a fact, it is computed from the
+    uncertainties of the margin, which are stored as tolerances. For other rows, `u_num` is used.
     """
     if was.kind in ("exact", "fact"):
         return math.hypot(was.tolerance or 0.0, now.tolerance or 0.0)
@@ -145,7 +146,11 @@ def value_limit(was: Kept, now: Kept) -> float:
 
 
 def scale_limit(was: Kept, now: Kept) -> float:
-    """Permissible change of the scale, in its unit: numerical error of both runs, at least 10 %."""
+    """Permissible change of the scale, in the unit of the row.
+
+    This is the numerical error of both runs or 10 % of the scale at the release, whichever is
+    larger.
+    """
     scale = abs(was.scale or 0.0)
     return max(relative_error(was, now), BAND_SHARE) * scale
 
