@@ -80,7 +80,7 @@ def _shape(field: Field, picture: Picture) -> Shape:
 
 
 def _free_edges(shown: Body) -> Indices:
-    """Edges that belong to one cell; none for lines."""
+    """Edges that belong to only one cell; none for lines."""
     if shown.cells.shape[1] == 2:
         return np.zeros((0, 2), dtype=np.int64)
     found, counts, _ = edges(shown.cells)

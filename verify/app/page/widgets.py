@@ -48,7 +48,10 @@ class Choice:
 
     @property
     def is_offered(self) -> bool:
-        """Whether the value is an option; it may be another text if a browser message is forged."""
+        """Whether the value is one of the options.
+
+        A forged message of a browser can contain any other value.
+        """
         return self.value in self.options
 
 

@@ -106,7 +106,7 @@ def _estimate(one: Estimate) -> str:
 
 
 def points(found: Outcome, order: Sequence[Course]) -> Table:
-    """Table of the first points: varied inputs, the largest errors of rows, status of the point."""
+    """Table of the first points: varied inputs, status, errors of the rows with large errors."""
     plan, listed = found.solved.plan, order[:MOST_COLUMNS]
     varied: Sequence[Axis | Tolerance] = plan.axes or plan.tolerances
     single = listed[0] if len(found.courses) == 1 else None

@@ -44,7 +44,7 @@ def grid_in_words(plan: Plan, course: Course, found: Sequence[Region]) -> str:
 
 
 def _nowhere(r: Region) -> str:
-    """Text which states that the error is certainly within a limit at no point."""
+    """Text which states that at no point the error is certainly within a limit."""
     solved = r.points - r.unsolved
     if r.outside < solved:
         return f"At no point is the error certainly within {limit_named(r)}"

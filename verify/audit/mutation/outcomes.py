@@ -37,7 +37,7 @@ class Outcome:
 
 
 class Outcomes:
-    """Outcomes of mutants of the code version `code`; each outcome is stored at once."""
+    """Outcomes of mutants of the code version `code`; each outcome is stored immediately."""
 
     def __init__(self, store: Store, code: str) -> None:
         self.store, self.code = store, code

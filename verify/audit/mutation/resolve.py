@@ -27,7 +27,7 @@ def formulas_in(case: Case) -> frozenset[str]:
 
 
 def split(module: str, benches: Sequence[Bench]) -> tuple[list[Bench], list[Bench], list[Bench]]:
-    """Return cases whose stored levels remain valid, fast cases to solve again, and slow ones.
+    """Return cases with valid stored levels, fast cases to solve again, slow cases to solve again.
 
     A case is solved again if its finite elements use formulas of `module`. Cases that take too long
     are not included.

@@ -1,4 +1,4 @@
-"""Score: shares of detected mutants, undetected mutants with reasons; one record per group.
+"""Score of each group: share of detected mutants, and undetected mutants with reasons.
 
 The score is valid for the code on which it was measured. After any change of a source, it is
 reported as not measured.

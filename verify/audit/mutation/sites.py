@@ -1,4 +1,4 @@
-"""Places of possible changes: functions of a module, their nodes, mutants with stable ids.
+"""Finds the nodes of a module that can be changed, and the mutants with stable ids.
 
 Code in which no row can detect a fault is excluded: docstrings, annotations, messages, exceptions
 and their conditions, assertions, tolerances and iteration counts of solvers, indices, and arrays of

@@ -1,4 +1,4 @@
-"""Runs tests of the project in this process: finds the functions they call, or a failure.
+"""Runs tests of the project in this process; finds called functions or the first failure.
 
 The module must be used in a forked child process only, because pytest changes the state of the
 process.

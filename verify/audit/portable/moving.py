@@ -6,8 +6,7 @@ reported.
 
 Perturbed inputs change both sides of a row together. In this case, the difference is compared;
 changes of the values are also reported if they exceed both 1e-6 of the scale and a tenth of the
-unit. A different tolerance would permit
-larger changes; therefore, it is reported as well.
+unit. A different tolerance would permit larger changes; therefore, it is reported as well.
 """
 
 import math
@@ -61,7 +60,7 @@ def move(was: Record, now: Record, *, perturbed: bool) -> float:
 
 
 def _allowed(row: Record) -> float:
-    """Unit of changes: tolerance of the row, margin of a fact, or a fraction of the scale."""
+    """Unit of the row's change: its tolerance, the margin of a fact, or a fraction of the scale."""
     U = _tolerance(row)
     if row.kind == FACT and row.difference is not None and math.isfinite(row.difference):
         return max(abs(row.difference) - U, 0.0)

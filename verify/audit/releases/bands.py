@@ -58,10 +58,10 @@ def _scale(row_id: str, was: Kept, now: Kept) -> Iterator[Change]:
 
 
 def _acceptance(row_id: str, was: Accepted, now: Accepted) -> Iterator[Change]:
-    """Changes of acceptance figures: one for each looser figure, or one for all figures.
+    """Changes of the acceptance figures of a row.
 
-    Figures are paired by their words ("accepted" or "required"). If the words of both runs differ,
-    there is one change for all figures.
+    If the words of the figures ("accepted" or "required") are the same in both runs, each looser
+    figure is a change. Otherwise, there is one change for all figures together.
     """
     if [word for word, _ in was] == [word for word, _ in now]:
         for old, new in zip(was, now, strict=True):

@@ -98,7 +98,10 @@ def _unused(
     release: Release,
     whole: Collection[str],
 ) -> tuple[str, ...]:
-    """Reasons stated since the release, for rows of cases in `whole`, that explain no change."""
+    """Reasons for changes since the release that explain no loosened change.
+
+    Only reasons for rows of the cases in `whole` are included.
+    """
     return tuple(
         f"{reason.rows}: {reason.aspect}: {reason.what}"
         for reason in reasons

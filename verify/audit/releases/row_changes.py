@@ -68,7 +68,10 @@ def _moved(
     error: float,
     limit: float,
 ) -> Iterator[Change]:
-    """Yield a change if a value differs by more than `limit` and round-off, or if one is missing."""
+    """Yield a change if a value differs by more than `limit` [unit] and more than round-off.
+
+    A change is also yielded if the value exists in one run only.
+    """
     was, now = values
     if was is None and now is None:
         return

@@ -9,9 +9,9 @@ series) depend on the processor. More digits depend on it if equations are badly
 difference is reported if it exceeds the numerical error of the row in both runs and 10 % of the
 band of the row.
 
-A record does not state to which kind a number belongs, but its digits show it (module digits). It
-is treated as stated if it is stated in one of the runs: if an estimate is replaced by a literal,
-or a literal by an estimate, the source has changed.
+A record does not state to which kind a number belongs; this is determined from the digits of the
+number (module digits). A number is treated as stated if it is stated in one of the runs: if an
+estimate is replaced by a literal, or a literal by an estimate, the source has changed.
 """
 
 import math
