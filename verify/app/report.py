@@ -149,7 +149,7 @@ def _searches(names: Sequence[str]) -> tuple[ReadingsTried, ...]:
 
 
 def _caught() -> Caught:
-    """Stored results of inserted faults."""
+    """Stored results of the fault detection: mutants and changed references."""
     from verify.audit.mutation.score import latest  # judges again, which `check` does not need
 
     return latest()

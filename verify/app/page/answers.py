@@ -59,8 +59,8 @@ def shown(
 ) -> Shown:
     """The answer for raw inputs.
 
-    Without `notes`, the influence of the assumed inputs on the margin is not computed, which would
-    be slow. Errors of inputs are part of the answer. Raises InputError if there is no such case.
+    Without `notes`, the influence of the assumed inputs on the margin is not computed, because this
+    is slow. Errors of inputs are part of the answer. Raises InputError if there is no such case.
     """
     try:
         case = find(case_name)

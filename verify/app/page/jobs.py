@@ -1,4 +1,4 @@
-"""Work in other processes, with progress and a time limit. It can be ended at any moment."""
+"""Runs jobs in other processes, with progress and a time limit. Jobs can be ended at any time."""
 
 import asyncio
 import os
@@ -122,7 +122,7 @@ class Jobs:
 def _work(pipe: connection.Connection, parent: int) -> None:
     """Function that runs in the process.
 
-    The process is a separate group, which ends with its parent.
+    The process has a separate process group, which ends if the parent process ends.
     """
     os.setsid()
     signal.signal(signal.SIGINT, signal.SIG_IGN)

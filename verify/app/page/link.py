@@ -22,7 +22,7 @@ def to_link(state: State) -> str:
 
 
 def from_link(text: str) -> State:
-    """State from the text of `to_link`.
+    """Return the state from the text of `to_link`.
 
     Raises InputError if the text is invalid or the state is too large.
     """

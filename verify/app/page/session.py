@@ -32,7 +32,10 @@ class Session:
     edited: str = ""  # the input of the last edit, whose further edits are the same step
 
     def put(self, state: State, edited: str = "") -> None:
-        """Make another state the present state. `edited` is the only input that has changed."""
+        """Make another state the present state.
+
+        `edited` is the only input that has changed; "" for any other change.
+        """
         if state == self.state:
             return
         if not edited or edited != self.edited:

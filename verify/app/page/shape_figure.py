@@ -116,7 +116,7 @@ def _lines(shape: Shape, points: Array, colour: str, dash: str = "solid") -> dic
 
 
 def _bar(shape: Shape, colours: Mapping[str, str]) -> dict[str, Any]:
-    """The colour bar; powers of ten if the values are logarithms."""
+    """The colour bar; its labels are powers of ten if the values are logarithms."""
     bar: dict[str, Any] = {
         "title": {"text": lowered(shape.label), "side": "right"}, "thickness": 14, "len": 0.8,
         "tickfont": {"color": colours["ink"]}, "titlefont": {"color": colours["ink"]},
@@ -171,6 +171,6 @@ def _coordinates(points: Array) -> dict[str, Any]:
 
 
 def _packed(values: NDArray[Any], kind: str) -> dict[str, str]:
-    """An array of numbers as Plotly reads it, base64 of 4 bytes each."""
+    """An array of numbers as Plotly reads it, in base64 with 4 bytes per number."""
     data = np.ascontiguousarray(values, dtype=f"<{kind}")
     return {"dtype": kind, "bdata": base64.b64encode(data.tobytes()).decode()}

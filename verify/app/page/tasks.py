@@ -84,7 +84,7 @@ def report(path: Path, out: Path, fem: bool, _notify: Notify) -> tuple[str, ...]
 class Swept:
     """Results of a sweep: one row per value of the second axis, one column per value of the first.
 
-    A result is None if the formulas have no solution at this point. Values are in display units;
+    A result is None if the formulas have no solution at its point. Values are in display units;
     `problem` is the message of the first point without a result.
     """
 

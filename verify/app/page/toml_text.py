@@ -28,7 +28,7 @@ def parameter_file(state: State) -> str:
 
 
 def read_state(path: Path) -> State:
-    """State from a parameter file, with numbers as texts. May raise InputError."""
+    """Return the state from a parameter file, with numbers as texts. May raise InputError."""
     case, name, raw = read_parameter_file(path)
     return State(case, name, as_texts(raw))
 

@@ -1,4 +1,4 @@
-"""Check of the mutants of a group by judging, tests and solving; outcomes are stored at once."""
+"""Check of a group's mutants by judging, tests and solving; outcomes are stored immediately."""
 
 from collections import deque
 from dataclasses import dataclass, field

@@ -1,4 +1,4 @@
-"""Outcomes of mutants, stored at once so that an interrupted run can be continued."""
+"""Outcomes of mutants, stored immediately, so that an interrupted run can be continued."""
 
 import json
 from collections.abc import Iterator

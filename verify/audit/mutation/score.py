@@ -1,6 +1,6 @@
 """Score of each group: share of detected mutants, and undetected mutants with reasons.
 
-The score is valid for the code on which it was measured. After any change of a source, it is
+The score is valid for the code on which it was measured. After any change of a source file, it is
 reported as not measured.
 """
 

@@ -25,7 +25,7 @@ class Kind(StrEnum):
 
 @dataclass(frozen=True, kw_only=True)
 class Difference:
-    """A row that differs on one machine.
+    """A row that differs between the baseline and one other machine.
 
     `move` is the change in units of the row's tolerance, nan if no value changed.
     """

@@ -58,7 +58,7 @@ def _same_run(was: Kept, now: Kept) -> bool:
 
 
 def _same_value(was: Kept, now: Kept) -> bool:
-    """Whether compared values, or margins of a fact, are equal within processor differences."""
+    """Whether compared values or margins of a fact are equal, except for processor effects."""
     values = [[x.analytic, x.reference] for x in (was, now)]
     if any(v is not None for v in values[0]):
         return _repeats(*values, tol=SOLVE_TOL)
