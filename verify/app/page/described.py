@@ -68,7 +68,7 @@ class Described:
         return frozenset(field.name for field in every if field.whole)
 
     def entered(self, place: str, text: str) -> str:
-        """Text that the user typed for an input; a number without unit gets the unit of the form."""
+        """Text that the user typed for an input; a bare number gets the unit of the form."""
         table, _, key = place.rpartition("].")
         fields = self.fields
         if table:
