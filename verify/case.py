@@ -35,8 +35,9 @@ The class
 
 Comparisons of a quantity with the reference; all of them take the arguments in Options
     identity        formula and reference solve the same problem
-    approximation   the formula neglects an effect; its error is Expected in an interval, is about
-                    a value, is Computed when the row is judged, or is underived (only displayed)
+    approximation   the formula neglects an effect; the kind of its error is one of: Expected (in an
+                    interval), about (a value), Computed (when the row is judged), underived (only
+                    displayed)
     limit           the error tends to zero with a parameter; over_family: points for the fit
     as_printed      the source prints a number that it computed by the formula
     State           another state of the formulas, such as another load or another size

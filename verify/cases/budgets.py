@@ -1,7 +1,7 @@
 """Causes of the difference between formula and reference, by id of the case.
 
-The causes are in separate modules: finite-element modules import many modules of cases, so that a
-changed text of a cause would invalidate their stored results.
+The causes are not in the modules of the cases. Finite-element modules import many modules of cases,
+so that a changed text in such a module would invalidate stored results.
 """
 
 from collections.abc import Mapping

@@ -32,7 +32,7 @@ def is_file_name(name: str) -> bool:
 
 
 def load(name: str) -> Case:
-    """The case that the file `name` declares (the last one); raises InputError without a case."""
+    """The last case that the file `name` declares; raises InputError if it declares none."""
     path = Path(name).expanduser().resolve()
     if not path.is_file():
         raise InputError(f"{name}: there is no such file")

@@ -41,7 +41,7 @@ def long_races(q: Any) -> Any:
 
 
 def straight(q: Any) -> Any:
-    """The inputs of `long` with a quarter of the tilt, so that the ends rise by the same amount."""
+    """The inputs of `long` with a quarter of the tilt, so that the ends rise as much as in `q`."""
     return long(q).model_copy(update={"theta": q.theta / LONGER})
 
 
@@ -60,7 +60,7 @@ def fem_narrow_disc(q: Any, level: int) -> FemResult:
 
 
 def fem_narrow_unlike(q: Any, level: int) -> FemResult:
-    """Values for different materials, scaled from a contact about a tenth as wide (Hertz)."""
+    """Values for different materials, scaled by Hertz from a contact about a tenth as wide."""
     from verify.cases.contact.line.reference import pair_fem
 
     found = pair_fem(light(q.unlike()), level).values()

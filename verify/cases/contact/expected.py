@@ -12,10 +12,10 @@ SHARP = judge.DEMAND / 2  # slack up to which an estimate judges
 def expected(
     known: Estimate, source: str, *, least: float = FLOOR, sharp: float = SHARP
 ) -> Expected:
-    """Expected error of a formula: the interval around `known`, at least ±`least` wide.
+    """Expected error of a formula: interval around `known` with a half-width of at least `least`.
 
-    If the half-width exceeds `sharp`, the estimate is too wide for the required sensitivity (the
-    bodies are too small for it), and the error of the formula is measured without judgement.
+    If the half-width of the interval exceeds `sharp`, the interval is too wide for the required
+    sensitivity: the error of the formula is then displayed, but not judged.
     """
     slack = max(float(known.slack), least)
     return Expected(known.error - slack, known.error + slack, source, sharp=slack <= sharp)

@@ -43,7 +43,7 @@ def of_star(q: OneClutch, state: RollerClutchState) -> StarBounds:
 def known(q: Star, interval: Interval, source: str = BRACKET) -> Expected:
     """Expected error of a row: within `interval`, which was derived as `source` states.
 
-    At user inputs, an interval wider than `WIDEST` is not sharp.
+    For user inputs, a row with an interval wider than `WIDEST` is not judged.
     """
     low, high = interval
     return Expected(low, high, source, sharp=q.is_default or high - low <= WIDEST)

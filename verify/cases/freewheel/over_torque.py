@@ -18,7 +18,7 @@ WIDTH = np.sin(np.linspace(-np.pi / 2, np.pi / 2, 201))  # x/a of a contact, mor
 
 
 def angle(q: Any, *, ends: str) -> AlongLine:
-    """Figure of the clamping angle over torque; `ends` is the end of its note on alpha_0."""
+    """Figure of the clamping angle over torque; the note on alpha_0 ends with the text `ends`."""
     return AlongLine(
         title="Clamping angle over torque", x=("T", "N m"), y=("α", "°"),
         curve=lambda T: loaded(q.clutch, T).alpha, reference="alpha_over_T", at=GRID * q.T,
@@ -37,7 +37,10 @@ def travel(q: Any) -> AlongLine:
 
 
 def torsion(context: Context, *, printed: str, note: str) -> Curves:
-    """Figure of the wind-up by exact rolling, by Eq. 7 as `printed`, and by finite elements."""
+    """Figure of the wind-up by exact rolling, by Eq. 7 as printed, and by finite elements.
+
+    The legend describes the printed equation by the text `printed`.
+    """
     q = context.inputs
     states = loaded(q.clutch, FINE * q.T)
     return plot(
@@ -64,7 +67,7 @@ def bisector(context: Context, x: str, cam: str, race: str, note: str) -> Curves
 
 
 def pressure(where: str) -> AlongLine:
-    """Figure of the pressure on a part over Hertz's peak pressure, in the most loaded state."""
+    """Figure of the pressure on a part, divided by Hertz's, under the largest normal force."""
     return AlongLine(
         title=f"Pressure on the {where}, at the largest computed normal force",
         x=("x/a", "1"), y=("p/p_0", "1"),

@@ -37,7 +37,7 @@ def of_one_steel(q: OneClutch, cam: Cam) -> RollerClutch:
 
 
 class Rollers(Case):
-    """Common base of stars and cups: the elastic clutch, and the normal force of a rigid clutch."""
+    """Base class of stars and cups: elastic clutch, and normal force of a rigid clutch."""
 
     load: ClassVar[Load] = "T"  # load that defines the state of the formulas
 
@@ -134,7 +134,7 @@ class Star(Rollers):
         return self._known(at_angle(self.clutch, math.acos(y / (self.R - self.r + d / 2))))
 
     def under(self, T: float) -> RollerClutchState:
-        """State under T [N m]; raises ValueError if rollers are beyond their flats."""
+        """State under T [N m]; raises ValueError for too wide contacts, or rollers beyond flats."""
         state = loaded(self.clutch, T)
         if not np.isfinite(state.N):
             raise ValueError(

@@ -1,4 +1,4 @@
-"""Further rows of a sector of star or cup: equilibrium of forces, limit without load."""
+"""Rows of a sector of star or cup on the equilibrium of forces and the limit without load."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -25,8 +25,9 @@ def accepted(
 ) -> Comparison:  # fmt: skip
     """Row that evaluates the formula `q` with the forces of the reference, with a tolerance.
 
-    `share` names the ratio of formula to reference minus 1 (inverse ratio if `inverse`). The
-    difference of the last meshes is the uncertainty. `words` precede the error in the row.
+    `share` is the key of the computed value formula/reference - 1, or reference/formula - 1 if
+    `inverse`. The uncertainty is twice the difference between the last two meshes. `words` precede
+    the error in the text of the row.
     """
 
     def pair(context: Context) -> Pair:
@@ -41,7 +42,7 @@ def accepted(
 
 @dataclass(frozen=True, kw_only=True)
 class Named:
-    """Names of parts, and reasons of differences, in the rows of one kind of clutch."""
+    """Names of parts, and reasons for deviations from formulas, in rows of one kind of clutch."""
 
     cam: str
     race: str
@@ -88,7 +89,8 @@ def balanced(clutch: Any, of_cam: Quantity, words: Named) -> Iterator[Comparison
 def no_load(q: OneClutch, alpha_0: float, levels: Sequence[Level]) -> Points:
     """Points of the limit without load: ratio of (F_t/N)² (reference) to tan² alpha_0, minus 1.
 
-    Multiplied by R + X + d_o - d_i over R + X (race and flat), tan² alpha is linear in d_i + d_o.
+    Each ratio is multiplied by (R + X + d_o - d_i)/(R + X), with R of the race and X of the flat.
+    The product is linear in d_i + d_o.
     """
     found, tan = [], np.tan(alpha_0)
     for level in levels[-2:]:

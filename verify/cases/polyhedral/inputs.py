@@ -1,6 +1,6 @@
 """Inputs of the polyhedral ring clutch; default values are assumed, as the paper prints none.
 
-`d_i` is the diameter of the bore through its corners, measured with fillets.
+`d_i` is the diameter of the circle that touches the fillets in the corners of the bore.
 """
 
 import math
@@ -131,8 +131,8 @@ def check_on_the_flat(q: PolygonRing, e: float) -> None:
     """Raise ValueError if `e` [m] is outside the flat of `q`, measured from its middle."""
     if e > OUTERMOST * q.half_flat:
         raise ValueError(
-            f"the hub must touch the flat: e must be at most {OUTERMOST:g} of half a flat, or "
-            f"{OUTERMOST * q.half_flat * 1e3:.4g} mm, got {e * 1e3:g} mm"
+            f"the hub must touch the flat: e must be at most {OUTERMOST:g} times half the length "
+            f"of a flat, hence {OUTERMOST * q.half_flat * 1e3:.4g} mm, got {e * 1e3:g} mm"
         )
 
 

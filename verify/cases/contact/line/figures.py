@@ -72,7 +72,7 @@ def neglected(
 
 
 def two_bodies(q: LineContact) -> Iterator[AlongLine | Drawn]:
-    """Figures: pressure with Hertz's pressure, error of Hertz's theory, convergence."""
+    """Figures: computed pressure and Hertz's pressure, error of Hertz's theory, convergence."""
     note = (
         "Line: Hertz; dots: finite elements, finest mesh, up to x = 0.85 a; band: uncertainty of "
         "the whole profile."

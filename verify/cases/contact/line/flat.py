@@ -198,7 +198,7 @@ class RollerOnFlat(FlatInputs):
         return Comparison(check=check, quantity=RollerOnFlat.p_0_disc, numbers=numbers)
 
     def depth_margin(self, context: Context) -> tuple[float, float]:
-        """Positive margin if the depth of the largest shear stress is accurate; its uncertainty.
+        """Margin, positive if the depth of the largest shear stress is accurate; its uncertainty.
 
         Stresses jump between cells, so that the depth converges without an order. The uncertainty
         is therefore three times the spread of the last three levels.
@@ -207,7 +207,7 @@ class RollerOnFlat(FlatInputs):
         return DEPTH - float(abs(depths[-1] - 1)), 3 * float(np.ptp(depths))
 
     def deviations(self, q: Quantity) -> Callable[[Sequence[Level]], Points]:
-        """Function that returns, for given levels: a/R, Hertz/FE - 1 and its uncertainty."""
+        """Function of levels that returns a/R, errors of Hertz's theory and their uncertainties."""
 
         def points(levels: Sequence[Level]) -> Points:
             d, u = [], []
@@ -220,7 +220,7 @@ class RollerOnFlat(FlatInputs):
         return points
 
     def figures(self) -> Iterator[AlongLine | Drawn]:
-        """Figures: pressure with the exact disc, error of Hertz's theory over a/R, convergence."""
+        """Figures: computed and exact pressure, error of Hertz's theory over a/R, convergence."""
         note = (
             "Line: exact disc, force per area of the round surface; dots: finite elements, finest "
             "mesh, up to x = 0.85 a. Lower diagram: line minus dots; band: uncertainty of the "

@@ -1,4 +1,4 @@
-"""Hertz's line contact: common part of the cases of a roller on a flat, on a roller, in a race."""
+"""Hertz's line contact: what the cases of a roller on a flat, on a roller and in a race share."""
 
 import math
 from collections.abc import Callable, Iterator
@@ -104,12 +104,12 @@ class LineContact(Case):
         return self.variant(line_load=P)
 
     def check_load(self, sizes: str) -> None:
-        """Raise ValueError if the contact is too wide for the bodies; `sizes` describes them."""
+        """Raise ValueError if the contact is too wide for the bodies; `sizes` is for the message."""
         if self.guess > WIDEST * self.smallest:
             raise ValueError(
                 f"F = {self.F:g} N on L = {self.L * 1e3:g} mm: the half-width of the contact, "
-                f"{self.guess * 1e3:.3g} mm, must not exceed {WIDEST:g} of the smallest dimension "
-                f"of the bodies ({sizes}): reduce F or increase L"
+                f"{self.guess * 1e3:.3g} mm, must not exceed {WIDEST:g} times the smallest "
+                f"dimension of the bodies ({sizes}): reduce F or increase L"
             )
 
     def pressure(self, x: Any) -> Array:
@@ -139,7 +139,7 @@ class LineContact(Case):
                           because=ROUND)  # fmt: skip
 
     def refusal(self) -> str:
-        """Reason for not solving very narrow contacts: round-off of displacements; "" if none."""
+        """Reason for not solving very narrow contacts (round-off); "" for wider contacts."""
         ratio = self.guess / self.smallest
         if ratio >= NARROWEST:
             return ""

@@ -160,8 +160,9 @@ class RollerInRace(TwoBodies):
     def refusal(self) -> str:
         """Reason for not solving a very thin or a very thick wall; "" for other walls.
 
-        In a thick wall, cells far from the contact are too coarse. In a thin wall, the whole bore
-        may touch the roller and needs short cells: their compliance matrix takes minutes.
+        In a thick wall, cells far from the contact are too coarse. If the wall is thin, the whole
+        bore may touch the roller and needs short cells, whose compliance matrix takes minutes to
+        compute.
         """
         if self.wall < THINNEST * self.r_i:
             return (

@@ -106,7 +106,7 @@ class PressFit(FitFormulas):
     sketch = drawn.sketch
 
     def refusal(self) -> str:
-        """Reason for not solving thin walls or small interferences; "" if there is none."""
+        """Reason for not solving thin walls or small interferences; "" for other inputs."""
         wall = self.thinnest
         if wall < THINNEST * self.r_f:
             return (
@@ -132,7 +132,7 @@ class PressFit(FitFormulas):
         )
 
     def warnings(self) -> Iterator[str]:
-        """Warnings if a wall exceeds R_p, or if R_p is not given and strains exceed 0.2 %."""
+        """Warnings if a stress exceeds R_p, or if R_p is not given and a strain exceeds 0.2 %."""
         for fit, words in ((FITS[0], "the rings"), (FITS[3], "the hub of the solid shaft")):
             of = self.of(fit)
             centre = of.p if fit.walls == "shaft" else self.p_i

@@ -120,7 +120,7 @@ class FitFormulas(FitInputs):
 
     @property
     def hoops(self) -> tuple[float, float, float, float]:
-        """Hoop stresses [Pa] in order of the radius: inner wall bore, rim; outer wall bore, rim."""
+        """Hoop stresses [Pa]: bore and rim of the inner wall, bore and rim of the outer wall."""
         inner, outer = self.loaded
         return inner.hoop_bore, inner.hoop_rim, outer.hoop_bore, outer.hoop_rim
 

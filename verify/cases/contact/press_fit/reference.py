@@ -58,7 +58,8 @@ def sizes(found: dict[str, float]) -> dict[str, float]:
 def jitter(q: FitInputs, around: int) -> float:
     """Scatter [Pa] of the pressure due to rounded positions of nodes (`around` per quarter).
 
-    Positions of neighbouring nodes of the inner wall, whose cells are shorter, differ by EPS r_f.
+    Rounding changes the distance between neighbouring nodes by EPS r_f. The cells of the inner wall
+    are the shorter ones.
     """
     return EPS * q.E_i * around / (np.pi / 2)
 
@@ -125,7 +126,7 @@ def read(q: FitInputs, fit: "ContactSolution") -> dict[str, float]:
 
 
 def stations(q: FitInputs) -> Any:
-    """Radii [m] of the profile, shape (m,): equal numbers in both walls, none on the fit."""
+    """Radii [m] of the profile, shape (m,): equally many in both walls, none at the contact."""
     off = 1e-3
     return np.concatenate([
         np.linspace(a + off * (b - a), b - off * (b - a), ACROSS)

@@ -27,9 +27,9 @@ class RollerOnRace(CrownedRoller):
     """A roller of finite length represents the sprag; it has the crown of the paper for 25 N m.
 
     Two models are compared with boundary elements on a half-space: strips, each with Hertz's
-    elliptical pressure across, and the slicing technique of the paper. Plane finite elements verify
-    the middle of the roller. The error of strips is derived; the difference between strips and
-    half-space must agree with this error.
+    elliptical pressure across the contact, and the slicing technique of the paper. Plane finite
+    elements verify the middle of the roller. The error of strips is derived; the difference between
+    strips and half-space must agree with this error.
     """
 
     id = "contact-roller"
@@ -47,7 +47,7 @@ class RollerOnRace(CrownedRoller):
     )
 
     def reference(self, level: int) -> Level:
-        """Results of the half-space (given, optimal crown), and of a disc at the strips' load."""
+        """Results of the half-space with the given and the optimal crown, and of a plane disc."""
         best = {"best_over_load": self._best_over_load()} if level == LEVELS[-1] else {}
         more = self.plane_at_middle(level)
         return solve_crowns(self, level, self.best_design, more=more, arrays=best)
@@ -67,7 +67,7 @@ class RollerOnRace(CrownedRoller):
         return {"p_plane": found.peak, "b_plane": found.half_width}
 
     def _best_over_load(self) -> Array:
-        """Peak pressure with the optimal crown for each load, over Hertz's pressure."""
+        """Peak pressure with the optimal crown for each load, divided by Hertz's pressure."""
         return np.array([self.best(k).peak / self.even_pressure(k) for k in BEST_AT])
 
     def comparisons(self) -> Iterator[Comparison]:

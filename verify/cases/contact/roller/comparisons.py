@@ -44,7 +44,7 @@ Interval = roller.Interval | None
 
 
 def of_strips(q: StripRoller, key: str, *, own: bool) -> Interval:
-    """Interval of strips/half-space - 1; only results by strips are used to derive it."""
+    """Interval of the error of strips against the half-space, derived from strips alone."""
     return roller.of_strips(
         q.neglected[key], value=getattr(q.strips, key), twice=getattr(q.twice, key), b=q.b,
         length=q.L, loaded=q.loaded_ends > 0, user_inputs=own,
@@ -78,9 +78,9 @@ def strips_rows(q: StripRoller, *judged: Quantity) -> Iterator[Comparison]:
 def sliced_rows(
     q: SlicedRoller, sliced: Sequence[Quantity], independent: Sequence[Quantity]
 ) -> Iterator[Comparison]:
-    """Rows: slices and independent slices against the half-space.
+    """Rows: coupled slices (`sliced`) and independent slices against the half-space.
 
-    Only pressures of `sliced` are judged.
+    Only pressures of coupled slices are judged.
     """
     accepted = Expected(-SLICED, SLICED, ACCEPTED, sharp=q.is_default)
     for one in (*sliced, *independent):
@@ -114,7 +114,7 @@ def loaded_ends(q: StripRoller) -> Comparison:
 
 
 def end_pressure(q: StripRoller) -> Comparison:
-    """Row: strips agree on Hertz's pressure of the mean line load near the more loaded end."""
+    """Row: strips and half-space agree on Hertz's pressure of the load at the more loaded end."""
     check = Accepted(name="Hertz's pressure of the mean line load within d of the more loaded end: "
                      f"strips and half-space agree within {ENDS / 2:.0%}", symbol="p_d", unit="1",
                      margin=within("p_d", ENDS / 2, lambda: q.p_0))  # fmt: skip
@@ -172,7 +172,7 @@ def size(value: float, scale: Scale) -> float:
 
 
 def misplaced(context: Context) -> tuple[float, float, str]:
-    """Positive margin if slices misplace less than the accepted fraction of the load."""
+    """Margin, positive if coupled slices misplace less than the accepted load fraction."""
     share, U, error = misplaced_load(context, "slices")
     return (
         SHARE - share,

@@ -52,7 +52,7 @@ def printed_designs() -> Iterator[Check]:
 
 
 def deviations() -> Iterator[Check]:
-    """Rows: length of the straight middle, a function of K_2 only; contact under a light load."""
+    """Rows: length of the straight middle, and length of contact under a light load."""
     yield Deviation(
         name="the length of the straight middle depends on K_2, not on z_m", symbol="Δl_s/l",
         unit="1", size=straight, accepted=RESOLVED,
@@ -64,10 +64,12 @@ def deviations() -> Iterator[Check]:
 
 
 def extreme(design: int, *, most: bool) -> Margin:
-    """Function that returns a margin: `design` is the most (or the least) uniform of the designs.
+    """Function that returns a positive margin if `design` has the largest or smallest share.
 
-    The measure is the share of the load that must be moved for a uniform line load. The function
-    returns the larger over the smaller share, minus 1.
+    The share is the fraction of the load that must move along the roller for a uniform line load.
+    If `most`, the share of `design` must be the largest of all designs. The margin is then the
+    ratio of this share to the next largest one, minus 1. Otherwise, the share must be the smallest,
+    and the ratio is inverted.
     """
 
     def margin(context: Context) -> tuple[float, float, str]:
@@ -86,7 +88,7 @@ def extreme(design: int, *, most: bool) -> Margin:
 
 
 def _peaks(context: Context, design: int) -> str:
-    """Text: largest pressures of the design and its rank for two lengths of end zones."""
+    """Text: largest pressure of `design` and its rank, for two lengths of excluded end zones."""
     peaks = []
     for key, where in (
         ("p_max", "outside the end zones d"), ("near", "outside 0.1 mm at each end"),
@@ -110,9 +112,9 @@ def _spread(found: Array) -> float:
 
 
 def straight(context: Context) -> tuple[float, float, str]:
-    """Sum of two errors of the start of the crown: shift due to z_m, distance from (1 - K_2) l/2.
+    """Error of the position where the crown starts, its uncertainty, and a text.
 
-    The sum is relative to l/2. The function also returns its uncertainty and a text.
+    The error is the shift due to z_m plus the distance from (1 - K_2) l/2, relative to l/2.
     """
     q = context.inputs
     y = np.linspace(0, q.L / 2, 20001)
@@ -132,10 +134,10 @@ def straight(context: Context) -> tuple[float, float, str]:
 
 
 def first_contact(context: Context) -> tuple[float, float]:
-    """Positive margin if contact under a light load ends within a limit; its uncertainty.
+    """Margin, positive if the contact under a light load ends within a limit; its uncertainty.
 
     The limit is the end of the straight middle plus NEXT l/2. The contact is computed by strips,
-    for the crown of Fig. 13a and the load FIRST F.
+    for the crown of Fig. 13a and FIRST times the load F.
     """
     q = context.inputs
     light = q.designed(Design(1, 0.4, 10e-6)).model_copy(update={"F": FIRST * q.F})

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 def _best_crown(
     load: float, length: float, R: float, E_star: float, tilts: tuple[float, float]
 ) -> "BestCrown":
-    """The optimal crown; cached, as formulas and all levels use equal loads and tilts."""
+    """The optimal crown; cached, because formulas and all levels use equal loads and tilts."""
     from analytic.contact.best_crown import best_crown  # common to formulas and reference
 
     return best_crown(load=load, length=length, R=R, E_star=E_star, tilt=tilts)
@@ -103,7 +103,7 @@ class CrownedRoller(Crown, Divided, OnHalfSpace):
         return float(np.sqrt(share * self.F / self.L * self.E_star / (np.pi * self.R)))
 
     def best_row(self) -> Comparison:
-        """Row that compares the largest pressure with the optimal crown: strips, half-space."""
+        """Row: largest pressure of the roller with optimal crown, strips against half-space."""
 
         def interval() -> tuple[float, float] | None:
             return comparisons.of_strips(self.with_best_crown, "p_top", own=not self.is_default)
@@ -132,8 +132,8 @@ class CrownedRoller(Crown, Divided, OnHalfSpace):
     ) -> Figure:  # fmt: skip
         """Figure: ratios of peak pressures to Hertz's pressures, for `gaps` under `loads` times F.
 
-        They are drawn over the abscissae `x`. A dashed curve has the peaks of optimal crowns from
-        the reference, at the abscissae best[1].
+        They are drawn over the abscissae `x`. A dashed curve shows the peak pressures with optimal
+        crowns by the reference; best[0] is the name of this curve, best[1] are its abscissae.
         """
         roller: dict[str, Any] = {"length": self.L, "R": self.R, "E_star": self.E_star}
         pairs = zip(gaps, loads, strict=True)

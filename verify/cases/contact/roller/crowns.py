@@ -155,10 +155,10 @@ class ComparedCrowns(Divided, StripRoller):
         yield from deviations()
 
     def _near_strips(self, name: str) -> tuple[float, float] | None:
-        """Interval of the error of the uniform pressure: its deviation from strips ± MID.
+        """Interval of the error of the uniform pressure: deviation from strips, tolerance MID.
 
-        The pressure is computed again here: an error in the value of the row would otherwise also
-        shift the interval.
+        The uniform pressure is computed separately here. Otherwise, an error of the judged value
+        would also shift the interval.
         """
         if not self.is_default:
             return None

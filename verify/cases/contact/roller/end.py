@@ -226,7 +226,10 @@ def face(state: State) -> Margin:
 
 
 def mostly(state: State) -> Margin:
-    """Function that returns a positive margin if end faces reduce the load far more than sizes."""
+    """Function that returns a positive margin if mainly the end faces reduce the load.
+
+    The control model must differ from the half-space by less than SIZE_SHARE times this reduction.
+    """
 
     def margin(context: Context) -> tuple[float, float, str]:
         face_, on, U = end_loads(context, "end", state)

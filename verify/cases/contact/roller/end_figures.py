@@ -95,7 +95,7 @@ def sketch(q: "EndFace") -> Sketch:
 
 
 def patch() -> Picture:
-    """Picture of the pressure on the contact patch, magnified across."""
+    """Picture of the pressure on the contact patch, with a magnified width."""
     return replace(
         roller_figures.patch(),
         caption="Pressure on the contact patch of the roller with end faces, without crown; "

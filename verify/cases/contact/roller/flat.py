@@ -54,7 +54,7 @@ class FlatRoller(OnHalfSpace):
         return min(max(round(self.L / self.b), FEWEST), MOST)
 
     def reference(self, level: int) -> Level:
-        """Results of the half-space, with more cells along the roller."""
+        """Results of the half-space, with more cells along the roller than by default."""
         found = half_space.pressed(self, level, along=ALONG * level)
         return half_space.result(found, level, {})
 
@@ -76,7 +76,7 @@ class FlatRoller(OnHalfSpace):
         return h, [self.p_0 / p for p in peaks]
 
     def figures(self) -> Iterator[Drawn]:
-        """Figures: pressure along the roller, end load over number of strips, peak over cells."""
+        """Figures: pressure along the roller, end load over n, peak pressure over cell number."""
         yield Drawn(self._drawn)
 
     def _drawn(self, context: Context) -> Iterator[Figure]:
@@ -86,7 +86,7 @@ class FlatRoller(OnHalfSpace):
             yield self._peaks(context)
 
     def _peaks(self, context: Context) -> Figure:
-        """Figure of the largest pressure over the cell size, logarithmic: it has no limit."""
+        """Figure of the peak pressure over the number of cells: the pressure has no limit."""
         cells = np.array([len(r.arrays["y"]) for r in context.fem]) * self.b / self.L
         peak, mid = (np.array(context.series(k)[1]) / self.p_0 for k in ("p_largest", "p_mid"))
         return Refinement(
@@ -97,7 +97,7 @@ class FlatRoller(OnHalfSpace):
         )  # fmt: skip
 
     def _over_strips(self, context: Context) -> Figure:
-        """Figure: end load over the number of strips; narrow strips overestimate it."""
+        """Figure: end load over the number of strips; narrow strips overestimate this load."""
         found = [sum(by_strips(self, n)[1].ends) / self.F for n in COUNTS]
         curves = [line("strips", np.array(COUNTS, float), np.array(found))]
         if context.fem:

@@ -45,7 +45,7 @@ def by_strips(q: Roller, n: int) -> tuple[Strips, RollerParts]:
 
 
 class StripRoller(Roller):
-    """A roller divided into strips, each with Hertz's elliptical pressure across."""
+    """A roller divided into strips, each with Hertz's elliptical pressure across the contact."""
 
     if TYPE_CHECKING:
 
@@ -172,5 +172,5 @@ class SlicedRoller(StripRoller):
         return found
 
     def sliced(self, model: str) -> RollerParts:
-        """Values along the roller by `model`: "slices" or "independent" slices."""
+        """Values along the roller by `model`: coupled ("slices") or "independent" slices."""
         return self._sliced[model]

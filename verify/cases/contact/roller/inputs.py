@@ -101,12 +101,12 @@ class Roller(Case):
         if self.b > WIDEST * self.L:
             raise ValueError(
                 f"F = {self.F:g} N: the half-width of the contact, {self.b * 1e3:.3g} mm, must not "
-                f"exceed {WIDEST:g} of the length l = {self.L * 1e3:g} mm: reduce F"
+                f"exceed {WIDEST:g} times the length l = {self.L * 1e3:g} mm: reduce F"
             )
         if self.b > 0.3 * self.R_1:
             raise ValueError(
                 f"F = {self.F:g} N: the half-width of the contact, {self.b * 1e3:.3g} mm, must not "
-                f"exceed 0.3 of the radius of the roller, {self.R_1 * 1e3:g} mm: reduce F"
+                f"exceed 0.3 times the radius of the roller R_1 = {self.R_1 * 1e3:g} mm: reduce F"
             )
         if self.d > self.L / 4:
             raise ValueError(

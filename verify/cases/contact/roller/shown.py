@@ -1,4 +1,4 @@
-"""Warnings and figures of rollers in slices whose reference is a half-space."""
+"""Warnings and figures of rollers modelled by slices; the reference is a half-space."""
 
 from collections.abc import Iterator
 
@@ -9,7 +9,7 @@ from verify.core.figures import Figure, Picture
 
 
 class OnHalfSpace(SlicedRoller):
-    """A roller in strips and slices; its reference is a half-space."""
+    """A roller modelled by strips and slices; the reference is a half-space."""
 
     refusal = half_space.too_short
 

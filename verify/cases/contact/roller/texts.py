@@ -35,7 +35,7 @@ ASSUMPTIONS = (
 
 
 def of_contact(q: "SlicedRoller") -> Iterator[str]:
-    """Warnings of loaded ends, of parts out of contact, and of too few strips."""
+    """Warnings about loaded ends, about parts out of contact, and about too few strips."""
     if q.loaded_ends and q.p_largest > 1.005 * q.p_max:
         yield (
             f"an end is loaded: its pressure ({q.p_largest / 1e6:.4g} MPa with {q.n} strips) grows "
@@ -52,7 +52,7 @@ def of_contact(q: "SlicedRoller") -> Iterator[str]:
 
 
 def of_materials(q: "SlicedRoller") -> Iterator[str]:
-    """Warnings of pressures and materials for which the models are not valid."""
+    """Warnings about pressures and materials for which the models are not valid."""
     largest = max(q.p_largest, q.p_max)
     if largest > 4e9:
         yield (

@@ -64,7 +64,7 @@ class TiltedRoller(Tilt, CrownedRoller):
         return solve_crowns(self, level, self.best_design, more={}, arrays=best)
 
     def _best_over_tilt(self) -> Array:
-        """Peak pressure with the optimal crown for each tilt, over Hertz's pressure."""
+        """Peak pressure with the optimal crown for each tilt, divided by Hertz's pressure."""
         angles = BEST_TILTS * (self.theta or LEAN)
         return np.array([self.best(tilt=a).peak / self.even_pressure() for a in angles])
 

@@ -77,7 +77,7 @@ class SlippingRollers(SlipFormulas):
     )
 
     def reference(self, level: int) -> Level:
-        """Results of two half discs under P, then under a first and an alternating Q."""
+        """Results of two half discs under P and Q: first loading, and a cycle of Q."""
         return solve(self, level)
 
     def comparisons(self) -> Iterator[Comparison]:
@@ -111,7 +111,10 @@ class SlippingRollers(SlipFormulas):
         yield from self._balances()
 
     def _traction(self, q: Quantity, name: str, at: float) -> Comparison:
-        """Row: traction at `at`; the error is relative to the norm at this Q (cycle: at Q_max)."""
+        """Row: L2 error of the traction at `at`, which is Q/(μP), or Q/Q_max in the cycle.
+
+        The error is relative to the norm of the traction at this Q; in the cycle, at Q_max.
+        """
         first = q.name == "q_1"
         formula, scale = (self.first_traction, at) if first else (self.cycle_traction, 1.0)
         what = f"Q/(μP) = {at:g}" if first else name

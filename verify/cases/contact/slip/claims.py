@@ -1,4 +1,4 @@
-"""Comparisons of partial slip: half-planes against discs, tractions, energies, steps."""
+"""Comparisons of partial slip: half-planes against discs, tractions, energies, number of steps."""
 
 import math
 from collections.abc import Callable
@@ -54,8 +54,8 @@ def l2_margin(
 ) -> Callable[[Context], tuple[float, float]]:
     """Function that returns a positive margin if the L2 error of the array `name` is below `L2`.
 
-    The error is the difference to `formula` at `at`, relative to the norm of `formula` at
-    `scale_at`.
+    The error is the difference between the array and the values of `formula` with the argument
+    `at`. It is relative to the norm of the values with the argument `scale_at`.
     """
 
     def margin(context: Context) -> tuple[float, float]:
@@ -74,7 +74,7 @@ def two_ways(context: Context) -> Pair:
 
 
 def step_order_fem(context: Context) -> tuple[float, float]:
-    """Order of convergence of the loop's area with the number of steps, minus 1.8; uncertainty.
+    """Order of convergence of the loop's area with the number of steps, minus 1.8; its uncertainty.
 
     The area is computed with straight lines between steps. The difference between work and the
     area by Simpson's rule is mesh scatter and counts as uncertainty.

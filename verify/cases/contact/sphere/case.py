@@ -120,7 +120,7 @@ class Spheres(SphereFormulas):
     sketch = drawn.sketch
 
     def refusal(self) -> str:
-        """Reason for not solving very small approaches, because of round-off; "" if none."""
+        """Reason for not solving very small approaches (round-off); "" for larger approaches."""
         ratio = max(self.R_1, self.R_2) / (self.width**2 / self.hertz["R"])
         if ratio <= 1e9:
             return ""
@@ -130,7 +130,7 @@ class Spheres(SphereFormulas):
         )
 
     def warnings(self) -> Iterator[str]:
-        """Warnings if the contact is wide or a body exceeds its yield strength."""
+        """Warnings if the contact is wide or if a body is loaded beyond its yield strength."""
         for pair in PAIRS:
             at: Any = self.of(pair)
             wide, where = at.beyond**0.5, WORDS[pair]

@@ -45,7 +45,7 @@ def solve(q: SphereInputs, level: int) -> Level:
 def solve_pair(
     q: SphereInputs, level: int
 ) -> tuple[dict[str, float], dict[str, Any], "ContactSolution"]:
-    """Values of one contact by names of quantities, profiles, and the contact solution."""
+    """Values of one contact (by names of quantities), its profiles, and its solution."""
     from fem.contact.point_contact import (
         at_load,
         axis_stresses,

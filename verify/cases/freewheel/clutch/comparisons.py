@@ -45,12 +45,12 @@ def moved(q: ClutchInputs, dX: float) -> Moved:
 
 
 def slips_below(context: Context) -> tuple[float, float]:
-    """Positive margin if the clutch slips with friction 1 % below mu_req; uncertainty 0."""
+    """Margin, positive if the clutch slips with friction 1 % below mu_req; uncertainty 0."""
     return float(0.5 - context.fem[-1].arrays["around"][0]), 0.0
 
 
 def bears(context: Context) -> tuple[float, float]:
-    """Positive margin if the clutch holds with friction 1 % above mu_req; uncertainty 0."""
+    """Margin, positive if the clutch holds with friction 1 % above mu_req; uncertainty 0."""
     return float(context.fem[-1].arrays["around"][1] - 0.5), 0.0
 
 

@@ -1,4 +1,4 @@
-"""Messages on the limits of a freewheel: exceeded limits, and the next limits as loads grow."""
+"""Messages on the limits of a freewheel: limits exceeded now, or reached next under more load."""
 
 import math
 from collections.abc import Sequence
@@ -13,7 +13,7 @@ FAR = 10.0  # limits beyond this multiple of the next limit are not reported
 
 
 def torque(q: ClutchInputs, v: Values) -> list[str]:
-    """Messages on the exceeded and the next limits of the torque, at constant axial load."""
+    """Messages on limits of the torque, exceeded or reached next, at constant axial load."""
     limits = q.duty.of_torque
     passed = [limit for limit in limits if limit.at < q.T]
     ahead = [limit for limit in limits if limit.at > q.T]
@@ -49,7 +49,7 @@ def where_friction_holds(q: ClutchInputs) -> str:
 
 
 def axial(q: ClutchInputs, v: Values) -> list[str]:
-    """Messages on the exceeded and the next limits of the axial load, at constant torque."""
+    """Messages on limits of the axial load, exceeded or reached next, at constant torque."""
     if v["F_slip"] == 0:
         return ["friction transmits no axial load at this torque"]
     limits = [limit for limit in q.duty.of_axial_load if limit.at > 0]
@@ -76,7 +76,7 @@ def tilted(q: ClutchInputs, v: Values) -> list[str]:
 
 
 def _listed(limits: Sequence[Limit], now: float, symbol: str) -> str:
-    """Text with the next limit and, if near, the limit after it, with their ratios to the load."""
+    """Text with the limit reached next, the one after it if near, and their ratios to `now`."""
     parts, written = [], newton if symbol == "F_ax" else newton_metres
     for k, limit in enumerate(limits[:2]):
         if limit.at > FAR * max(limits[0].at, now):

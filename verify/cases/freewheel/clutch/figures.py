@@ -48,7 +48,7 @@ def figures(context: Context) -> Sequence[Figure]:
 
 
 def reach(q: ClutchInputs) -> float:
-    """Upper end [N m] of the torque axis: beyond the next two limits, but below `duty.end`."""
+    """Upper end [N m] of the torque axis: beyond the two limits above T, below `duty.end`."""
     ahead = [limit.at for limit in q.duty.of_torque if limit.at > q.T]
     most = 1.15 * ahead[1] if len(ahead) > 1 else 1.3 * ahead[0] if ahead else 3 * q.T
     return min(max(WIDE * q.T, min(most, 6 * q.T)), (1 - 1e-9) * q.duty.end)
@@ -89,7 +89,7 @@ def lights(q: ClutchInputs) -> Zones:
 
 
 def _zones(q: ClutchInputs, T: Array, F: dict[float, Array], top: float) -> tuple[Zone, ...]:
-    """Zones of the classes over the torque; `F` [kN]: axial loads at the limits of friction."""
+    """Zones of the classes over `T`; `F`: axial load [kN] at each class limit of mu/mu_req."""
     within = float(q.duty.of_torque_alone.corner) >= T
     holds, slips = (np.where(within, F[share], 0.0) for share in (criterion.GREEN, criterion.RED))
     borne = np.fmin(holds, q.duty.largest_axial_load(T) / 1e3)
@@ -162,7 +162,7 @@ def windup(q: ClutchInputs, context: Context) -> Curves:
 
 
 def cumulated(title: str, label: str, x: Array, drawn: float, *, limits: bool = False) -> Curves:
-    """Figure of the cumulative distribution of `x` over random clutches; `drawn` is nominal."""
+    """Figure of the cumulative distribution of `x` over random clutches; `drawn`: nominal value."""
     ends = np.percentile(x, DRAWN)
     full = np.array([0.0, 100.0])
     lines = [(drawn, "nominal", 5)]

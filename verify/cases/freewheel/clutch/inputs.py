@@ -32,13 +32,13 @@ def in_terms_of_inputs(rule: str) -> str:
 
 
 def other_modulus(part: str, what: str, example: str) -> Any:
-    """Optional input: Young's modulus of a part of another material."""
+    """Optional input: Young's modulus of a part, if it differs from the common modulus E."""
     what = f"Young's modulus of {what}, if different from E; if ν_{part} is not given, ν is used"
     return given(None, "GPa", f"E_{part}", what, omitted=None, gt=0.1, le=1e5, example=example)
 
 
 def other_poisson(part: str, what: str, example: str) -> Any:
-    """Optional input: Poisson's ratio of a part of another material."""
+    """Optional input: Poisson's ratio of a part, if it differs from the common ratio ν."""
     return given(None, "1", f"ν_{part}", f"Poisson's ratio of {what}, if different from ν",
                  omitted=None,
                  ge=0, le=0.45, example=example)  # fmt: skip
@@ -128,7 +128,7 @@ class ClutchInputs(Case):
         return self
 
     def _walls(self) -> tuple[tuple[str, float, float], ...]:
-        """Name, thickness [m] and tolerance [m] of the thinnest wall of both parts."""
+        """Name, thickness [m] and tolerance [m] of the thinnest wall, for inner and outer part."""
         if self.is_star:
             return ("X - r_b", self.X - self.r_b, self.X_tol), ("R_a - R", self.R_a - self.R,
                                                                 self.R_tol)  # fmt: skip

@@ -30,7 +30,7 @@ def findings(q: ClutchInputs, v: Values) -> Sequence[str]:
 
 
 def verdict(q: ClutchInputs, v: Values) -> str:
-    """Reason of the class, by Coulomb's law."""
+    """Reason for the class, by Coulomb's law."""
     if q.T < 0:
         return "the torque turns against the locking direction: the clutch overruns, and the "\
             "criterion does not apply"  # fmt: skip

@@ -19,7 +19,7 @@ GOALS = (1.0, 1.1)  # target mu/mu_req: Coulomb's limit, and a margin of 10 %
 
 
 def advice(q: ClutchInputs, v: Values) -> list[str]:
-    """Changes with which friction transmits T and F_ax; empty if none is necessary."""
+    """Recommended changes with which friction transmits T and F_ax; empty if none is necessary."""
     if q.T <= 0:
         return []
     if q.duty.under is None:

@@ -24,7 +24,7 @@ AROUND = (0.99, 1.01)  # friction over mu_req: slips, holds
 
 
 def solve(q: ClutchInputs, level: int) -> Level:
-    """Results of a mesh: sweep over torque and shifted flats; on the finest mesh also slip."""
+    """Results on one mesh: sweep over torque, shifted flats; on the finest mesh also slip."""
     one, T = q.as_star, q.T
     states = sweep(one, level)
     place = states.place(T)
@@ -55,9 +55,9 @@ def solve(q: ClutchInputs, level: int) -> Level:
 
 
 def around(q: ClutchInputs, one: Star, start: Start) -> Array:
-    """Array (2,), 1 if the clutch holds with a friction `AROUND` times mu_req, otherwise 0.
+    """Array (2,): 1 if the clutch holds, 0 if it slips, with friction `AROUND` times mu_req.
 
-    mu_req follows from the angle of the finite elements.
+    mu_req follows from the clamping angle by finite elements.
     """
     given = Pulled(pitch(one), L=one.L, T=one.T, F_ax=q.F_ax, mu=q.mu)
     limit = Limit(given, start, start.drags)

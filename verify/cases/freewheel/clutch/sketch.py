@@ -11,7 +11,7 @@ from verify.form.sketches import arrow, leader, shape, text
 
 
 def cup(q: ClutchInputs) -> Sketch:
-    """Sketch of one pitch, to scale: roller, shaft, flat and the angle psi between both normals."""
+    """Sketch of one pitch, to scale: roller, shaft, flat, angle psi between contact normals."""
     half, unit = math.pi / q.z, 1 / q.R_a
     psi = 2 * float(q.cam.alpha0)
     turn = np.linspace(-half, half, 61)

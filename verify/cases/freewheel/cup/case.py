@@ -346,7 +346,7 @@ class FreewheelCup(Cup):
                            name=f"torque z R_s F_t (Eq. 3 for a cup), {where}")  # fmt: skip
 
     def _summit(self) -> Comparison:
-        """Row of the largest torque; judged only if contacts are narrow there."""
+        """Row of the largest torque; judged only if contacts are narrow at this torque."""
         top = self.at_summit
         wide = max(float(top.a_i), float(top.a_o)) / self.r > WIDE
         interval = (-math.inf, math.inf) if wide else self.within(top).summit()

@@ -137,7 +137,7 @@ class FreewheelFriction(Pulled):
         return float(tilt.pressure_factor(e=self.e, L=self.L))
 
     def slipped(self) -> tuple[Array, Array]:
-        """Axial slip [m] of a ring held against rotation, and remaining torque over T; (m,)."""
+        """Axial slip [m] of a ring held against rotation, and remaining torque/T, shapes (m,)."""
         return let_out(self.clutch, T=self.T, mu=self.mu)
 
     def reference(self, level: int) -> Level:

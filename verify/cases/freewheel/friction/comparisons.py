@@ -113,7 +113,7 @@ def _off(context: Context, forces: Array) -> float:
 def on_the_cone(context: Context) -> tuple[float, float, str]:
     """Largest relative deviation of the friction force from mu N at full slip.
 
-    The maximum includes both contacts, and clutches with other wedge angles.
+    The maximum is taken over both contacts of this clutch, and of clutches with changed angles.
     """
     arrays, mu = context.fem[-1].arrays, context.inputs.mu
     last = arrays["creep"][-1] / mu
@@ -126,7 +126,7 @@ def on_the_cone(context: Context) -> tuple[float, float, str]:
 def over_angles(context: Context) -> tuple[float, float, str]:
     """Largest deviation of F_t/(mu N) from tan(alpha)/mu, over clutches of several angles.
 
-    If tan(alpha) exceeds mu, the remaining share of N is judged instead.
+    If tan(alpha) exceeds mu, the fraction of N that remains after release is judged instead.
     """
     k, left, ratio = context.fem[-1].arrays["angles"].T[:3]
     mu = context.inputs.mu

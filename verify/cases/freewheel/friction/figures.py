@@ -24,7 +24,7 @@ ABOVE = 2.2  # upper end of the axial load, over F_ax,lim or F_ax
 
 
 def sketch(q: Any) -> Sketch:
-    """Sketch of a roller between flat and ring, and of the friction of a contact in its cone."""
+    """Sketch: roller between flat and ring; friction force in the circle of radius mu F_n."""
     state = loaded(q.clutch, q.T)
     psi, tan = float(state.psi), math.tan(float(state.alpha))
     ray, along = np.array([math.sin(psi), math.cos(psi)]), np.array([math.cos(psi), -math.sin(psi)])

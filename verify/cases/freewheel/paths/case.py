@@ -1,7 +1,7 @@
 """A roller freewheel on the load paths of the test rig (Nagler, Lohrengel, Sec. 6).
 
-The paths are series of static equilibria. Inertia would add about (f/f_0)² of the loads: f_0 is
-the natural frequency of the ring alone on the wedged rollers.
+The paths are series of static equilibria. Inertia would add about (f/f_0)² of the loads, where
+f_0 is the natural frequency of the ring alone on the wedged rollers.
 """
 
 import math

@@ -39,7 +39,10 @@ RULE = (
 
 
 def _required(context: Context, at: int, name: str) -> tuple[Array, Array]:
-    """mu_req by finite elements, and by Eq. 9 at the angle and loads of these; states of a path."""
+    """mu_req in the states of a path: by finite elements, and by Eq. 9.
+
+    Eq. 9 is evaluated with the clamping angle and the loads of the finite elements.
+    """
     arrays, q = context.fem[at].arrays, context.inputs
     (tan, T, unit), table = arrays["at rest"], arrays[name]
     found = criterion.required_friction_of_contact(
@@ -131,8 +134,9 @@ def falls(context: Context) -> tuple[float, float]:
 def in_time(context: Context, case: int) -> Pair:
     """Pair of the times of slip by the formula and by finite elements, with the accepted interval.
 
-    The interval contains the times at loads that differ by up to the fraction `SLIP`. A course
-    states its first time beyond slip, so that half a time step is uncertain.
+    The accepted interval contains the times of slip if the axial load at slip differs by up to the
+    fraction `SLIP`. The formula gives the time within one time step; half a step is
+    added to the uncertainty.
     """
     q, course = context.inputs, context.inputs.courses[case]
     F, half = slips(context, case)

@@ -1,9 +1,9 @@
 """Finite elements of a freewheel along the rig's load paths: static states with friction history.
 
 In load cases 1 and 2 the torque is constant: the roller stays in its position, and the ring
-rotates as the roller creeps. Axial loads are scaled to the given torque. In load case 3 rollers
-travel by more than the width of their contacts: each torque has a separate position and mesh, on
-which both loads are applied together.
+rotates as the roller creeps. Computed axial loads are scaled from the torque of the mesh to the
+given torque. In load case 3 rollers travel by more than the width of their contacts: each torque
+has a separate position and mesh, on which both loads are applied together.
 """
 
 import math

@@ -149,7 +149,7 @@ class PolyhedralClutch(ClutchFormulas):
             )
 
     def refusal(self) -> str:
-        """Reason why finite elements do not solve these inputs, such as no torque; "" if none."""
+        """Reason why finite elements do not solve these inputs, such as zero torque; else ""."""
         if not self.stays:
             return "the rollers are expelled, the torque is zero: run `check` without --fem"
         N = self.line_load

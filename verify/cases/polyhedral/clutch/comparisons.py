@@ -70,7 +70,7 @@ class ClutchFormulas(PaperChain, ElasticClutch):
         return self._neglect(hub, N) * hub.force_sensitivity(N) if 0 < N < inf else nan
 
     def _neglect(self, hub: Driven, N: float) -> float:
-        """Relative error of the approach by Hertz's theory under N [N/m]."""
+        """Relative error that Hertz's theory causes in the approach of bodies under N [N/m]."""
         roller = RollerOnRing(d=self.d, d_e=self.d_e, j_D=self.j_D, apothem=self.ring.apothem,
                               E=self.E, nu=self.nu)  # fmt: skip
         return roller.closure(hub.contact.half_width(N), hub.contact.half_width_on_race(N))
@@ -87,7 +87,7 @@ class ClutchFormulas(PaperChain, ElasticClutch):
         return first_design(self.flat, **ring).torque(self.p_t)
 
     def pressure_over_the_arc(self) -> float:
-        """Pressure [Pa] for the target torque if the force on a side is computed with its arc."""
+        """Pressure [Pa] for the target torque with the arc of a side in place of its chord."""
         touch = self.touch
         rest = filleted(self.flat, touch).pressure(self.M_t) - touch
         return touch + rest / self.flat.arc
@@ -190,7 +190,8 @@ def _around(
 ) -> Callable[[], Interval]:  # fmt: skip
     """Function that returns the interval of the error of a formula.
 
-    Its centre is the value by `statics`, an independent derivation, over the series.
+    The centre of the interval is the ratio of the value by `statics`, an independent derivation, to
+    the value by the series, minus 1. Without `statics`, the centre is zero.
     """
 
     def interval() -> Interval:
@@ -205,7 +206,7 @@ def _around(
 
 
 def _of_stress(q: ClutchFormulas) -> Interval:
-    """Interval of the error of the fillet stress; a part of it is due to roller and hub."""
+    """Interval of the error of the fillet stress; roller and hub cause a part of this stress."""
     if not q.slack < LOOSE:
         return None
     give = PEAK_STRESS + q.from_rollers * q.slack

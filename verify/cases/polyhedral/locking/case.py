@@ -99,7 +99,7 @@ class LockedPolyhedralRing(LockedFormulas):
         yield from of_rollers(self.p_0)
 
     def refusal(self) -> str:
-        """Reason why finite elements do not solve a pressure that hardly loads rollers, or ""."""
+        """Reason why finite elements do not solve a pressure that hardly loads rollers; else ""."""
         touch, long = self.alone.locked.touch, self.touch_long
         least = max(PRESSED * touch, long)
         if self.p_t <= least:

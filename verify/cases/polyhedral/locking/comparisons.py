@@ -161,7 +161,7 @@ def _roller(self: LockedFormulas) -> RollerOnRing:
 
 
 def wider(context: Context) -> tuple[float, float]:
-    """Difference of load-transfer ratios, widest minus narrowest contact; uncertainty."""
+    """Load-transfer ratio of the widest contact minus that of the narrowest; its uncertainty."""
     eta = figures.curves(context.fem)["rollers"][1]
     v = context.series("efficiency_alone")[1]
     return float(eta[-1] - eta[0]), 3 * abs(v[-1] - v[-3])

@@ -62,7 +62,8 @@ def fine_zones(
 ) -> tuple[float, float]:
     """Widths [m] of the fine zones at ring and race, equal on all meshes.
 
-    Coarse solutions give the widths of the contacts; the meshes have nodes near their ends.
+    Coarse solutions give the widths of the contacts. The meshes have nodes near the ends of the
+    contacts.
     """
     wall = q.d_e / 2 - q.apothem
     beside = wall if e is None else min(wall, e)
