@@ -86,7 +86,7 @@ def _turning(q: Any, half: float, psi: float, tall: float) -> tuple[Shape, ...]:
 
 
 def _flat(q: Any, half: float, low: float, tall: float, wide: float) -> tuple[Shape, ...]:
-    """Dimension X from the axis, which lies below the drawing."""
+    """Dimension X, measured from the axis, which lies below the drawing."""
     at, edge = -wide - 0.08 * tall, -q.X * math.tan(half)
     return (
         arrow((edge, q.X), (at - 0.03 * tall, q.X), style="faint"),

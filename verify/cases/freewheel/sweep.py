@@ -1,7 +1,7 @@
 """States of the sector of a roller freewheel over its load, by finite elements.
 
-The approaches of the contacts range from nearly zero to beyond the torque T and the normal force
-N_0 = T/(z R tan(alpha_0)) of a rigid clutch.
+The approaches of the contacts range from nearly zero to more than under the torque T, and more than
+under the normal force N_0 = T/(z R tan(alpha_0)) of a rigid clutch.
 """
 
 from functools import lru_cache
@@ -33,7 +33,7 @@ def given_angle(q: OneClutch) -> float:
 
 
 def sweep(q: OneClutch, cells: int) -> FlatCourse:
-    """States of one pitch on meshes with `cells` cells, stored for all cases of the clutch."""
+    """States of one pitch, stored for all cases of a clutch; half a fine zone has `cells` cells."""
     return _sweep(pitch(q), q.L, rigid_force(q), cells)
 
 

@@ -129,7 +129,7 @@ class RollerOnFlat(FlatInputs):
         return disc_stress.largest_shear_stress(disc=self.disc)
 
     def disc_pressure(self, x: Any) -> Array:
-        """Pressure [Pa] of the exact disc at x [m], per length of arc."""
+        """Pressure [Pa] at x [m] by the exact solution: force per area of the round surface."""
         return np.asarray(self.disc.pressure(x) * np.sqrt(1 - (x / self.R) ** 2))
 
     def at_ratio(self, ratio: float) -> Self:

@@ -108,7 +108,7 @@ class TwoRollers(TwoBodies):
 
     @shared
     def known(self) -> OfDiscs:
-        """Errors of Hertz's theory for two discs, which `pair_series` derives."""
+        """Errors of Hertz's theory for two discs, derived in `pair_series`."""
         return OfDiscs(a=self.a, R_1=self.R_1, R_2=self.R_2, **self.materials)
 
     @property

@@ -100,7 +100,7 @@ def result(
     found: "PressedLine", level: int, supports: tuple[str, ...],
     others: "Mapping[str, PressedLine] | None" = None,
 ) -> Level:  # fmt: skip
-    """Values and profiles of `level`; values of `others` are added under keys with a suffix."""
+    """Values and profiles of `level`; values of `others` are added, its keys as suffixes."""
     shear, depth = found.shear()
     values = found.values() | found.balance(supports) | {"tau_max": shear, "z": depth}
     u_it = {key: found.rounding(key, value) for key, value in values.items()}
@@ -117,7 +117,7 @@ def result(
 
 
 def near(found: "PressedLine") -> Field:
-    """Field of the cells near the contact: largest shear stress over p_0, von Mises stress [Pa]."""
+    """Field of the cells near the contact: largest shear stress/p_0, von Mises stress [Pa]."""
     from fem.plane.cell_fields import cut_out, largest_shear
 
     cells = cut_out(

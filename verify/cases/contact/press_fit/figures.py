@@ -14,7 +14,7 @@ LOADED = np.arange(22.5, 360.0, 45.0)  # degrees: arrows of the pressures
 
 
 def sketch(q: FitFormulas) -> Sketch:
-    """Sketch of both rings, the quarter of the finite-element model and the pressures."""
+    """Sketch of both rings, with the modelled quarter and the pressures."""
     inner, fit = q.r_i / q.r_o, q.r_f / q.r_o
     t = np.linspace(0, 90, 73)
     quarter = [polar(1.0, d) for d in t] + [polar(inner, d) for d in t[::-1]]

@@ -87,7 +87,7 @@ def even(context: Context) -> Figure:
 
 
 def ends(context: Context) -> Figure:
-    """Figure of pressures within ten half-widths of the end, by crowns for uniform pressure."""
+    """Figure of pressures within ten half-widths of the end, with crowns for uniform pressure."""
     q, b = context.inputs, context.inputs.b
     curves = []
     for i, (name, words) in enumerate(EVEN.items()):

@@ -211,7 +211,10 @@ class EndFace(Crown):
 
 
 def face(state: State) -> Margin:
-    """Function that returns the relative load reduction near the end face, minus FACE."""
+    """Function that returns the relative load reduction near the end face, minus FACE.
+
+    The reduction is relative to the load by the half-space.
+    """
 
     def margin(context: Context) -> tuple[float, float, str]:
         here, on, U = end_loads(context, "end", state)

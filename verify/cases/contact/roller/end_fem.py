@@ -58,7 +58,7 @@ def solve_fem(q: "EndFace", level: int) -> Level:
 
 
 def stations_fem(q: "EndFace", level: int) -> Array:
-    """Coordinates [m] of nodes from mid-length to the end, finest at the end; one is l/2 - d."""
+    """Coordinates [m] of nodes from mid-length to the end, closest at the end; one is l/2 - d."""
     from meshes.revolution.section import stations
 
     found = stations(start=q.L / 2, end=0.0, first=DEEP * q.b, growth=1.6, refine=level)
@@ -82,7 +82,7 @@ def compliance_fem(q: "EndFace", level: int, *, race: bool, overhang: float) -> 
 
 
 def contact_fem(q: "EndFace", level: int, bodies: Any, crown: str, more: int = 0) -> "PatchContact":
-    """Contact of the half y >= 0 of roller and race, with `more` additional cells across."""
+    """Contact of the half y >= 0 of roller and race, with `more` additional cells in width."""
     from fem.fourier.contact import NarrowPatchError, patch_contact
 
     gap = profiles.gap(q) if crown == "crowned" else np.zeros_like

@@ -59,7 +59,7 @@ class FlatRoller(OnHalfSpace):
         return half_space.result(found, level, {})
 
     def comparisons(self) -> Iterator[Comparison | Check]:
-        """Rows: converging results at mid-length and ends, and the slope of the unbounded peak."""
+        """Rows: converging results at mid-length and ends, and exponent of the unbounded peak."""
         q = FlatRoller
         yield comparisons.agreeing(f"{MIDDLE}: {WITHIN}", q.p_mid, FLAT, lambda: self.p_0)
         yield comparisons.agreeing(f"approach: {WITHIN}", q.delta, FLAT, lambda: self.delta_P)
@@ -71,7 +71,7 @@ class FlatRoller(OnHalfSpace):
         yield comparisons.balanced(self)
 
     def _inverse_peaks(self, context: Context) -> tuple[list[float], list[float]]:
-        """Cell sizes, and Hertz's pressure over the largest pressure; the ratio tends to zero."""
+        """Cell sizes, and ratios of Hertz's to the largest pressure; the ratio tends to zero."""
         h, peaks = context.series("p_largest")
         return h, [self.p_0 / p for p in peaks]
 

@@ -124,7 +124,7 @@ class StripRoller(Roller):
 
     @shared
     def neglected(self) -> Mapping[str, float]:
-        """Estimates of half-space/strips - 1 for pressures and approach, by key; NaN if unknown."""
+        """Estimated deviation of the half-space from strips, relative, by key; NaN if unknown."""
         solved, along = self._strips
         missing = neglected(solved)
         return {

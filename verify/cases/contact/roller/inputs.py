@@ -117,7 +117,7 @@ class Roller(Case):
 
 
 class Divided(Roller):
-    """Inputs of a roller with the number of strips."""
+    """Inputs of a roller that is divided into strips."""
 
     n: int = count(161, "n", "number of strips over the length", ge=FEWEST, le=MOST)
 

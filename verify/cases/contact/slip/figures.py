@@ -55,7 +55,7 @@ def figures() -> Iterator[AlongLine | Drawn]:
 
 
 def _first_loading(context: Context) -> Profile:
-    """Figure: tractions of the first loading at all shares of μP, as one line."""
+    """Figure: tractions of the first loading at all ratios Q/(μP), as one line."""
     q = context.inputs
     limit = q.mu * hertz_line.pressure(FINE * q.a, a=q.a, p_0=q.p_0)
     edges = ", ".join(f"±{math.sqrt(1 - k):.3f} a" for k in SHARES)

@@ -125,7 +125,7 @@ def cycle(
 
 
 def traction(q: SlipInputs, state: "ContactSolution", name: str) -> dict[str, Array]:
-    """Arrays of the tangential traction [Pa]: at integration points, and at x = `ACROSS` a."""
+    """Arrays of the tangential traction [Pa]: at integration points, and at x/a = `ACROSS`."""
     touch = state.touches[0]
     order = np.argsort(touch.x[0])
     loaded = touch.p > 0

@@ -251,7 +251,7 @@ class FreewheelClutch(ClutchInputs):
 
     @shared
     def _scattered(self) -> Mapping[str, float]:
-        """Shares and percentiles of the clutches within tolerance, by name."""
+        """Shares and percentiles over random clutches within the tolerances, by name."""
         return {} if self.scatter is None else self.scatter.values()
 
     @shared
@@ -282,7 +282,7 @@ class FreewheelClutch(ClutchInputs):
         yield from messages.findings(self, self.values)
 
     def summary(self) -> Mapping[str, Any]:
-        """Class, friction ratio and limits as JSON."""
+        """Class, friction ratio and limits, for JSON."""
         return summary(self, self.values)
 
     def refusal(self) -> str:

@@ -25,7 +25,7 @@ ROLLED = "The stiffness decreases as the torque increases, and is zero at the la
 
 
 def sketch(q: Cup) -> Sketch:
-    """Sketch of one pitch, to scale: shaft, roller, cup, angle psi between flat and roller."""
+    """Sketch of one pitch, to scale: shaft, roller, cup, angle psi between contact normals."""
     cam, half = q.cam, math.pi / q.z
     x, y = (float(v) for v in cam.centre(d_i=0.0, d_o=0.0))
     psi, unit = 2 * float(cam.alpha0), 1 / q.X_o

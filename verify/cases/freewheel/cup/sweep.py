@@ -53,7 +53,7 @@ def starts(q: OneClutch) -> tuple[Start, ...]:
 
 
 def under_torque(q: OneClutch) -> Start:
-    """Initial state at approximately the torque T; raises NotFoundError near the maximum."""
+    """Initial state at about the torque T; raises NotFoundError if T is near the maximum."""
     one, most = pitch(q), through(q)
     D = min(overlap(one, rigid_force(q) / q.L), 0.3 * most)
     now = Start.guessed(one, D, inner=INNER, flatter=3)
@@ -73,7 +73,7 @@ def under_torque(q: OneClutch) -> Start:
 
 
 class CupSweep(SummitCourse):
-    """States of one pitch on meshes with `cells` cells, interpolated by splines over the load."""
+    """States of one pitch, interpolated over the load; half a fine zone has `cells` cells."""
 
     def __init__(self, q: OneClutch, cells: int) -> None:
         one = pitch(q)

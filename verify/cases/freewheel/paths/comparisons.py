@@ -91,7 +91,7 @@ def slips(context: Context, case: int) -> tuple[float, float]:
 
 
 def settles(context: Context) -> tuple[float, float, str]:
-    """Positive margin if creep under a small alternating load decreases from cycle to cycle.
+    """Margin, positive if creep under a small alternating load decreases from cycle to cycle.
 
     The ratio of the creep in the last cycle to that in the first must be below `SETTLES`.
     """
@@ -107,7 +107,7 @@ def settles(context: Context) -> tuple[float, float, str]:
 
 
 def walks(context: Context) -> tuple[float, float, str]:
-    """Positive margin if creep under a large alternating load continues (ratcheting).
+    """Margin, positive if creep under a large alternating load continues (ratcheting).
 
     The ratio of the creep in the last cycle to that in the cycle before must exceed `GOES_ON`.
     """
