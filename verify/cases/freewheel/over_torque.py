@@ -67,7 +67,7 @@ def bisector(context: Context, x: str, cam: str, race: str, note: str) -> Curves
 
 
 def pressure(where: str) -> AlongLine:
-    """Figure of the pressure on a part, divided by Hertz's, under the largest normal force."""
+    """Figure of the pressure on a part, divided by Hertz's peak, under the largest normal force."""
     return AlongLine(
         title=f"Pressure on the {where}, at the largest computed normal force",
         x=("x/a", "1"), y=("p/p_0", "1"),

@@ -89,8 +89,8 @@ def balanced(clutch: Any, of_cam: Quantity, words: Named) -> Iterator[Comparison
 def no_load(q: OneClutch, alpha_0: float, levels: Sequence[Level]) -> Points:
     """Points of the limit without load: ratio of (F_t/N)² (reference) to tan² alpha_0, minus 1.
 
-    Each ratio is multiplied by (R + X + d_o - d_i)/(R + X), with R of the race and X of the flat.
-    The product is linear in d_i + d_o.
+    Each ratio is multiplied by (R + X + d_o - d_i)/(R + X). R is the radius of the race, X the
+    distance of the flats. The product is linear in d_i + d_o.
     """
     found, tan = [], np.tan(alpha_0)
     for level in levels[-2:]:

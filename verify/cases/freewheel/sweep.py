@@ -1,7 +1,7 @@
 """States of the sector of a roller freewheel over its load, by finite elements.
 
-The approaches of the contacts range from nearly zero to more than under the torque T, and more than
-under the normal force N_0 = T/(z R tan(alpha_0)) of a rigid clutch.
+The smallest approaches of the contacts are nearly zero. The largest exceed those under the torque T
+and those under the normal force N_0 = T/(z R tan(alpha_0)) of a rigid clutch.
 """
 
 from functools import lru_cache

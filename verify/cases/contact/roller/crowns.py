@@ -155,7 +155,7 @@ class ComparedCrowns(Divided, StripRoller):
         yield from deviations()
 
     def _near_strips(self, name: str) -> tuple[float, float] | None:
-        """Interval of the error of the uniform pressure: deviation from strips, tolerance MID.
+        """Interval of the error of the uniform pressure: its deviation from strips, ± MID.
 
         The uniform pressure is computed separately here. Otherwise, an error of the judged value
         would also shift the interval.

@@ -124,7 +124,7 @@ class StripRoller(Roller):
 
     @shared
     def neglected(self) -> Mapping[str, float]:
-        """Estimated deviation of the half-space from strips, relative, by key; NaN if unknown."""
+        """Estimated relative deviation of the half-space from strips, by key; NaN if unknown."""
         solved, along = self._strips
         missing = neglected(solved)
         return {
