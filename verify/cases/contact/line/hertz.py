@@ -104,7 +104,7 @@ class LineContact(Case):
         return self.variant(line_load=P)
 
     def check_load(self, sizes: str) -> None:
-        """Raise ValueError if the contact is too wide for the bodies; the message states `sizes`."""
+        """Raise ValueError if the contact is too wide for bodies; the message states `sizes`."""
         if self.guess > WIDEST * self.smallest:
             raise ValueError(
                 f"F = {self.F:g} N on L = {self.L * 1e3:g} mm: the half-width of the contact, "
