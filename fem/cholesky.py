@@ -24,7 +24,7 @@ _pointer_in = ctypes.PYFUNCTYPE(ctypes.c_void_p, ctypes.py_object, ctypes.c_char
 
 
 class Cholesky:
-    """Factors A = L L' of a symmetric, positive definite `A` (n, n).
+    """Cholesky factorisation A = L L' of a symmetric, positive definite `A` (n, n).
 
     Only the lower triangle is used (for a csr_array, the upper triangle). Unknowns are eliminated
     in their order; with `ordered` False, CHOLMOD chooses the order. Raises ArithmeticError if `A`
@@ -102,7 +102,7 @@ class Cholesky:
 
 
 class _Stored(ctypes.Structure):
-    """Structure `cholmod_factor`, without the fields after its type."""
+    """Structure `cholmod_factor` up to its field `xtype`."""
 
     _fields_ = (
         *((name, ctypes.c_size_t) for name in ("n", "minor")),
@@ -121,7 +121,7 @@ def _read(address: int, size: int, kind: Any) -> Any:
 
 
 def _lower(A: csc_array | csr_array) -> tuple[matrix, matrix, matrix]:
-    """Values, rows and columns of the lower triangle, whose columns are rows of a csr_array."""
+    """Values, rows and columns of the lower triangle of `A`, or of A' for a csr_array."""
     columns = np.repeat(np.arange(A.shape[0], dtype=np.intc), np.diff(A.indptr))
     kept = A.indices >= columns
     rows = A.indices[kept].astype(np.intc)

@@ -14,11 +14,11 @@ OBSTACLE = -1
 
 @dataclass(frozen=True)
 class Record:
-    """The k contacts: `elements` of the probes and their `partners` (-1: an obstacle).
+    """The k contacts of probed `elements` with their `partners` (-1: an obstacle).
 
     `at` (k, 2) is the point on the surface; `n` (k, 2) points from the partner to the element of
-    the probe. The force on this element is `normal` (k,) along n, and the friction `tangential`
-    (k,) against its slip along t (n rotated by -90°). `gap` (k,) is negative for overlap.
+    the probe. The force on this element has the components `normal` (k,) along n and `tangential`
+    (k,) along -t, where t is n rotated by -90°. `gap` (k,) is negative for overlap.
     """
 
     elements: Indices
@@ -67,7 +67,11 @@ class Record:
     def _pairs(
         self, bodies: Bodies
     ) -> Iterator[tuple[tuple[str, str], NDArray[np.bool_], NDArray[np.bool_]]]:
-        """Pairs of bodies in contact, with contacts probed from the first and the second."""
+        """Pairs of bodies in contact, each with two masks (k,) of its contacts.
+
+        In the first mask, the probes are on the first body of the pair; in the second mask, they
+        are on the second body.
+        """
         own = {name: np.isin(self.elements, body) for name, body in bodies.items()}
         their = {name: np.isin(self.partners, body) for name, body in bodies.items()}
         for one, other in combinations_with_replacement(bodies, 2):

@@ -1,12 +1,13 @@
 r"""Gap and slip between a probe and a rigid flat or disc that moves with a carrier node.
 
-In the frame of reference of the obstacle, x_s is the position of the probe and n the surface normal
-at the nearest point P. The distance between the line and its surface is b/2:
+In the frame of reference of the obstacle, x_s is the position of the probe on the centre line of
+the beam, and n the normal of the obstacle at its nearest point P. The beam has the thickness b:
 
 .. math:: g = n\cdot(x_s - P) - b/2, \qquad
    \dot s = t\cdot v + \tfrac{b}{2}(\dot\phi_s - \dot\phi_c)
 
-where v is the velocity of x_s relative to the obstacle, and phi_c the rotation of the obstacle.
+where v is the velocity of x_s relative to the obstacle, phi_s the rotation of the cross-section and
+phi_c the rotation of the obstacle.
 """
 
 import math
@@ -99,7 +100,7 @@ Disc = DiscObstacle  # its name in version 0.1
 
 
 class Body:
-    """Shape on a carrier node (None: it does not move), and the probes of a line."""
+    """Rigid shape that moves with a carrier node (None: it is fixed), and the probes of a beam."""
 
     def __init__(
         self, shape: Shape, carrier: int | None, points: Array, probes: Probes, thickness: float
@@ -116,7 +117,10 @@ class Body:
         self.eta, self.past = self.nearest(x)
 
     def nearest(self, x: Array) -> tuple[Array, Surface]:
-        """Parameter of the point of each cell nearest to the shape, and surface of the shape."""
+        """For each cell, the point of the beam that is nearest to the shape.
+
+        The results are the parameters eta of these points, and the nearest points of the shape.
+        """
         p = self.probes
         curves = powers(x[p.nodes, :2])
 
@@ -133,7 +137,7 @@ class Body:
         return eta, self._surface(x, on(curves, eta)[0])
 
     def passed(self, x: Array) -> bool:
-        """True if a node passed straight through the shape since the accepted state."""
+        """True if a node passed straight through the shape since the last accepted state."""
         nodes = np.unique(self.probes.nodes)
         then = self._seen(self.before, self.before[nodes, :2])
         way = self._seen(x, x[nodes, :2]) - then
@@ -156,11 +160,11 @@ class Body:
         return eased
 
     def _surface(self, x: Positions, at: Positions) -> Surface:
-        """Nearest points of the shape to points (k, 2) in space, in the frame of the shape."""
+        """Nearest points, in the frame of the shape, to the points `at` (k, 2) in space."""
         return self.shape.surface(self._seen(x, at))
 
     def _seen(self, x: Positions, at: Positions) -> Array:
-        """Points (k, 2), given in space, in the frame of the shape."""
+        """Coordinates, in the frame of the shape, of the points `at` (k, 2) in space."""
         pose = self._pose(x)
         d = at - pose[:2]
         c, s = np.cos(pose[2]), np.sin(pose[2])
@@ -238,7 +242,7 @@ class Body:
         return np.hypot(*places(self.points, self.probes.nodes[probe], eta).slope.T)
 
     def normals(self, x: Array, surface: Surface) -> Array:
-        """Normals (k, 2) of the nearest points, in space."""
+        """Normals (k, 2) at the nearest points, in global coordinates."""
         phi = self._pose(x)[2]
         c, s = math.cos(phi), math.sin(phi)
         return surface.n @ np.array([[c, s], [-s, c]])

@@ -1,6 +1,6 @@
 """Evaluation of a force-displacement curve with a kink where parts of the structure first touch.
 
-Curves contain displacements U, forces F and sums of normal forces N, (3, k), with increasing U.
+A curve (3, k) contains displacements U, forces F and sums N of normal forces; U increases.
 """
 
 from dataclasses import dataclass
@@ -19,8 +19,8 @@ ROUNDING = 1e-9  # relative to a displacement
 class FittedLines:
     """Two straight lines fitted to a curve, one before and one after the first contact.
 
-    `k1`, `k2` [force/length] are the slopes, `c1`, `c2` [force] the constants. `U_A`, `F_A` belong
-    to the first contact. Values that the curve does not reach are NaN.
+    `k1`, `k2` [force/length] are the slopes, `c1`, `c2` [force] the constants. `U_A`, `F_A` are
+    displacement and force at the first contact. Values that the curve does not reach are NaN.
     """
 
     k1: float
@@ -42,7 +42,9 @@ class FittedLines:
 
 
 def fitted(curve: Array, stroke: float) -> FittedLines:
-    """Least-squares lines up to the displacement `stroke`; NaN without contact.
+    """Fit both lines by least squares to the points up to the displacement `stroke`.
+
+    Without contact, all values except `k1` and `c1` are NaN.
 
     >>> U = np.arange(1.0, 9.0)
     >>> pressing = np.maximum(U - 4.0, 0.0)
@@ -89,7 +91,7 @@ def on_common(one: Array, other: Array, stroke: float) -> tuple[Array, Array]:
 
 
 def retraced(U: Array, F: Array) -> float:
-    """Largest relative difference [1] between the forces of unloading and of loading.
+    """Largest deviation [1] of unloading forces from loading forces, relative to the latter.
 
     >>> round(retraced(np.array([1.0, 2.0, 1.0]), np.array([3.0, 6.0, 3.3])), 9)
     0.1

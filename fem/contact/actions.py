@@ -148,7 +148,7 @@ class Loads:
         body_forces: Vector | Mapping[str, Vector] | None,
         point_forces: Mapping[tuple[float, float], tuple[float, float]],
     ) -> list[Action]:
-        """Unit responses to loads.
+        """Actions that represent the loads.
 
         Raises ValueError for unknown names and for values that are not finite.
         """

@@ -56,7 +56,7 @@ def exchanged(
         states[other] = wanted[other]
         known = states.tobytes(), patience
         if rough and known in seen:
-            raise NotFoundError("the states of the contact repeat")
+            raise NotFoundError("the contact states repeat in a cycle")
         seen.add(known)
     raise NotFoundError(f"{other.size} of {states.size} contact points still change their state")
 

@@ -12,7 +12,7 @@ class Along:
     """Supports of bodies along z.
 
     `supports` prescribe u_z on boundaries and on obstacles. By default, obstacles are fixed along
-    z. Obstacles named in `free` move under forces. Ties of the plane also act along z.
+    z. Obstacles named in `free` move under forces. Ties of the plane problem also act along z.
     """
 
     supports: Mapping[str, Prescribed] = field(default_factory=dict)
@@ -27,7 +27,7 @@ class Pull:
     u_0: Array
 
     def after(self, before: "Pull | None", share: float) -> "Pull":
-        """Load `share` x this load + (1 - `share`) x the load `before`; None means a zero load."""
+        """Sum of `share` x this load and (1 - `share`) x the load `before` (None: no load)."""
         if before is None:
             return Pull(share * self.f, share * self.u_0)
         rest = 1 - share

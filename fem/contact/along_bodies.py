@@ -29,7 +29,7 @@ class AlongBodies:
     """
 
     def __init__(self, bodies: Bodies, along: Along, surface: Indices) -> None:
-        """Factorise the stiffness, with the `surface` unknowns (s,) of the plane last.
+        """Factorise the stiffness, with the nodes of the plane unknowns `surface` last.
 
         Raises ValueError for unknown names, and for bodies that have neither a support along z nor
         a contact surface.
@@ -55,7 +55,7 @@ class AlongBodies:
         return load, self.condensed.load(load)
 
     def displacements(self, pull: Pull, pushed: Array, shift: Array) -> Array:
-        """u_z (nodes,) under loads, contact forces `pushed` (s,) and the rigid `shift` (k,)."""
+        """u_z (nodes,) for load `pull`, contact forces `pushed` (s,) and rigid `shift` (k,)."""
         load, on_surface = self.load(pull)
         own = self.shifts @ (self.shifts.T @ on_surface)
         surface = self.compliance(on_surface - own + pushed) + self.shifts @ shift

@@ -16,8 +16,8 @@ UNHELD = 1e-9  # relative to a shift: below, no surface with friction resists it
 class AlongInterface:
     """Weighted slips along z, s_i = int phi_i (u_z,m - u_z,s), at the nodes that carry friction.
 
-    `rows` (r, nodes) have the order of the tangential rows of the plane; `cone` is the system of
-    all rows, including those of the plane.
+    `rows` (r, nodes) have the order of the tangential rows of the plane problem. `cone` is the
+    system of the rows of the plane problem and these rows.
     """
 
     def __init__(self, bodies: AlongBodies, plane: Interface) -> None:
@@ -36,7 +36,7 @@ class AlongInterface:
         self.cone = Cone.of(plane.kernel, (B + B.T) / 2, self.C @ bodies.shifts)
 
     def loaded(self, pull: Pull) -> tuple[Array, Array]:
-        """Slips (r,) due to the load `pull` at zero shifts, and its forces (k,) on the shifts."""
+        """Slips (r,) due to `pull` at zero shifts, and forces (k,) of `pull` on the shifts."""
         bodies = self.bodies
         _, on_surface = bodies.load(pull)
         e = bodies.shifts.T @ on_surface
@@ -54,7 +54,8 @@ class AlongInterface:
 def _slips(mortar: Mortar, columns: Indices) -> csr_array:
     """Rows of the weighted slip u_z,m - u_z,s along z.
 
-    The normal and tangential rows of the plane, for a shift along x, give one row along z.
+    The weights are those of the displacement along x in the plane; these follow from the normal and
+    tangential rows.
     """
     n = mortar.points.n
     along_x = diags_array(n[0]) @ mortar.normal - diags_array(n[1]) @ mortar.tangential

@@ -88,7 +88,7 @@ class AlongProblem:
     def _found(
         self, descent: Descent, motions: int, before: Before | None, in_plane: Callable[[], Rest]
     ) -> State:
-        """Solution of the cone.
+        """Contact forces and motions that satisfy the equations of the friction cone.
 
         Raises NoEquilibriumError if the friction cone cannot balance the loads, and NotFoundError
         if no solution is found.
@@ -117,7 +117,7 @@ class AlongProblem:
         self, interface: AlongInterface, w_z: Array, slips: Array, before: Before | None,
         closing: tuple[Indices, Array],
     ) -> Array:  # fmt: skip
-        """Slips along z of surfaces with an initial gap, added to `slips` until the gap closes."""
+        """Slips (r,) along z that surfaces add before their gaps close; zero for other nodes."""
         cone, r = interface.cone, slips.size
         B, D = cone.B[-r:, -r:] if r else cone.B[:0, :0], interface.C @ self.bodies.shifts
         trial = w_z - slips

@@ -37,7 +37,7 @@ def _is_far(touch: Touch, bend: float) -> bool:
 
 
 def _base(u: Array, count: int, touch: Touch, slave: Trace, master: Trace | None) -> Array:
-    """Rigid displacements of the loaded parts of both sides, extended to the complete surfaces."""
+    """Rigid displacements of the loaded parts of both surfaces, extended to the whole surfaces."""
     base = np.zeros(u.size)
     base[count:] = u[count:]
     points, loaded = touch.mortar.points, touch.p > 0

@@ -119,7 +119,7 @@ class Bodies:
     def _stiffness(self) -> csr_array:
         """Stiffness matrix T' K T (n, n).
 
-        If T only selects unknowns, K is assembled directly in this order.
+        If T only selects unknowns, K is assembled directly in the order of T.
         """
         T = self.unknowns.T
         if np.all(T.data == 1) and np.all(np.diff(T.indptr) <= 1) and not self.rigid:
@@ -181,7 +181,10 @@ class Bodies:
 def _moduli(
     mesh: Mesh2D, materials: Elastic | Mapping[str, Elastic | Rigid], assumption: Assumption
 ) -> tuple[Array, Array, Array, list[Indices]]:
-    """Moduli lambda, mu and ratio of every cell (zero if rigid); cells of each rigid body."""
+    """Lamé's lambda, mu and a stress ratio of every cell (0 if rigid); cells of each rigid body.
+
+    The ratio is sigma_zz/(sigma_xx + sigma_yy).
+    """
     if isinstance(materials, Elastic):
         return *moduli(mesh, materials, assumption), []
     if not isinstance(materials, Mapping):

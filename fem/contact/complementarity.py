@@ -186,11 +186,11 @@ class Complementarity(ContactSystem):
         return np.asarray(size * self.scales[1] * found.x[:k]) if is_open else None
 
     def _start(self, w_0: Array, e: Array) -> NDArray[np.int8] | None:
-        """Initial states: those of the contact without friction, or None if it has no solution.
+        """Initial states from contact without friction; None if they are not found or not needed.
 
         To find these states, groups of rows are first treated as one row. The active sets then need
-        only a few iterations at the edges of the contact, instead of one iteration for each row by
-        which the contact becomes smaller.
+        only a few iterations at the edges of the contact. Without groups, they may need one
+        iteration for each row that leaves the contact.
         """
         m, rough = self.friction.size, bool(self.rough.size)
         if not rough and m <= FEW:

@@ -84,10 +84,10 @@ class Cone(System):
         return float(np.linalg.norm(np.concatenate(parts)) / size), states
 
     def _size(self, w_0: Array, e: Array, w: Array, at: State, pressure: Array) -> float:
-        """Pressure that residuals are relative to.
+        """Pressure by which residuals are divided.
 
-        This is the largest pressure, or the uncertainty of pressures by round-off of loads and gaps
-        if this is larger.
+        This is the largest pressure or, if larger, the uncertainty of pressures that round-off of
+        loads and gaps causes.
         """
         closing = np.abs(w_0) / self.yields
         pulling = np.abs(e) / self.reach

@@ -13,7 +13,7 @@ and the path leads to it, except for round-off and coincident events. If the bal
 needs friction, there may be no state of rest, or several. A failed search then proves nothing, and
 neither do bodies that continue to move as the springs become weaker. The module `cone_reach` proves
 that no state of rest exists. Loads within the limit of `cone_reach` can still cause slip, depending
-on the elastic distribution of pressures; no bound for this range is given here.
+on the elastic distribution of pressures; this module gives no bound for such loads.
 """
 
 from collections.abc import Callable
@@ -79,7 +79,7 @@ class Descent:
         return Newton(self.cone, self.w_0, self.e)
 
     def _from_smooth(self) -> State:
-        """Solution at the end of the path from zero to given friction and to weaker springs."""
+        """Solution at the end of the path from zero to given friction, then to weaker springs."""
         cone, mu, K = self.cone, self.cone.friction, self.cone.springs(STIFF)
         none = np.zeros_like(K)
 

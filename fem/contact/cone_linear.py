@@ -103,10 +103,11 @@ class Linearised:
 
     @cached_property
     def _places(self) -> tuple[Indices, Indices, Indices]:
-        """Rows and positions of the unknowns.
+        """Rows of the multipliers, and positions of some pressures among the unknowns.
 
-        Rows of pressures and of sticking components; rows (2, slipping) of slipping nodes. The last
-        array gives the positions of the pressures of slipping nodes among the unknowns.
+        The first array contains the rows of pressures and of friction at sticking nodes, the second
+        array (2, slipping) the rows of friction at slipping nodes. The last array contains the
+        positions of the pressures at slipping nodes.
         """
         cone, slip = self.cone, self._slip
         closed = np.flatnonzero(self.states != OPEN)

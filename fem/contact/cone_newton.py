@@ -87,8 +87,8 @@ class Newton:
     ) -> tuple[State, float, NDArray[np.int8]]:
         """State after a step, its residual and contact states.
 
-        The step is Newton's step or a part of it. Chosen is the longest part with an acceptable
-        residual, or the part with the smallest residual if no residual is acceptable.
+        The step is Newton's step or a part of it: the longest part with an acceptable residual, or
+        the part with the smallest residual if no residual is acceptable.
         """
         goal, share = Linearised(self.cone, task, at, states).newton(), 1.0
         found: list[tuple[float, State, NDArray[np.int8]]] = []

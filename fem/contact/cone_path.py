@@ -80,7 +80,7 @@ class Path:
         raise NotFoundError(f"the path of solutions ends at the parameter t = {here.z[-1]:.3g} < 1")
 
     def _step(self, here: Point, h: float, sign: float) -> tuple[Point, int] | None:
-        """Point of the path at the arc length `h` and its number of corrections, or None."""
+        """Next point of the path, at the arc length `h`, and number of corrections; or None."""
         row = self._weight(here.z) * here.tangent
         found = self._corrected(here.z + h * here.tangent, row)
         if found is None:
@@ -111,7 +111,10 @@ class Path:
         return None
 
     def _corrected(self, z: Array, row: Array) -> tuple[Array, NDArray[np.int8], int] | None:
-        """Point of the path in the plane `row` through `z`, its states, number of corrections."""
+        """Point of the path in a plane through `z`, its states, and the number of corrections.
+
+        `row` is the normal of the plane. The result is None if Newton's method does not converge.
+        """
         to = row @ z
         for step in range(MAX_CORRECTIONS + 1):
             if not (np.all(np.isfinite(z)) and z[-1] >= 0):
@@ -139,7 +142,7 @@ class Path:
         return State(z[:n], z[n:-1])
 
     def _weight(self, z: Array) -> Array:
-        """Weights (n + k + 1,) of squares; current forces and motions have the weighted sum one."""
+        """Weights (n + k + 1,) of a sum of squares that is one for forces and motions of `z`."""
         weight = np.append(np.diag(self.cone.B), self.cone.stiffness)
         size = float(weight @ z[:-1] ** 2)
         return np.append(weight / (size or 1.0), 1.0)

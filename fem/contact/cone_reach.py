@@ -19,8 +19,8 @@ MAX_ROUNDS = 60
 def missing(cone: Cone, e: Array) -> Array:
     """Part of the loads `e` (k,) on rigid motions and shifts that no contact forces can balance.
 
-    The result is zero if all loads can be balanced. Forces are sums of edges of the cones. Edges
-    are added as long as the unbalanced loads have a component along an edge.
+    The result is zero if all loads can be balanced. Contact forces are sums of forces along
+    edges of the cones. An edge is added as long as the unbalanced loads have a component along it.
     """
     if not np.any(e):
         return np.zeros_like(e)

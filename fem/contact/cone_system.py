@@ -25,7 +25,7 @@ class State:
 
 @dataclass(frozen=True, kw_only=True)
 class Task:
-    """Loads `w_0` (n,), `e` (k,), springs `K` (k, k) on the rigid motions, and `friction` (m,)."""
+    """Gaps and slips `w_0` (n,), loads `e` (k,), springs `K` (k, k), and `friction` (m,)."""
 
     w_0: Array
     e: Array

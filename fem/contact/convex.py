@@ -78,7 +78,7 @@ class Piecewise:
         return factor
 
     def _length(self, v: Array, way: Array, residual: Array) -> float:
-        """Factor of the step (n,) for which J is least."""
+        """Factor of the step `way` (n,) for which J is least."""
         start, bend = -float(residual @ way), float(way @ (self.A @ way))
         before, rate = self.cut(v), self.Z @ way
 

@@ -1,4 +1,4 @@
-"""Locked sector with a hub force proportional to the roller force, at the limit of friction."""
+"""Locked sector with its roller at the friction limit: hub force proportional to roller force."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -51,7 +51,7 @@ class DrivenSector:
         return self.force_on(self.fine, self.p)
 
     def push(self, N: float) -> Force:
-        """Components of the hub force: normal to the flat, and along it, away from mid-flat."""
+        """Hub force: components normal to the flat, and along the flat away from its middle."""
         R = self.kappa * N
         return float(R * np.cos(self.phi_1)), float(-R * np.sin(self.phi_1))
 

@@ -53,7 +53,7 @@ class DrivenDiscs:
         )
 
     def _press(self, y: float) -> tuple[tuple[ContactSolution, Array], Array]:
-        """Contact state under P alone, its displacement, and an estimate of the flexibility."""
+        """Contact state under P alone and displacement of the section; estimated flexibility."""
         touched = self.at(np.array([0.0, -y]), None)
         y *= self.P / touched.touches[0].normal_force  # secant from the origin
         self.flexibility = np.eye(2) * y / self.P

@@ -50,7 +50,7 @@ class Surfaces:
 
 
 class Interface:
-    """System of all contact pairs, with surfaces displaced rigidly by `bases` (all,) from the mesh.
+    """All contact pairs as one system; `bases` (all,) displace the surfaces of each pair rigidly.
 
     `rows` (r, all) are the weighted gaps of all pairs, one pair after the other, then the weighted
     slips of pairs with friction. `gaps` (m,) are the weighted gaps without displacement, `sizes`
@@ -157,7 +157,7 @@ class Interface:
         return mortar(slave, master, points, unknowns=bodies.count, depth=depth, obstacle=obstacle)
 
     def _share(self, slave: Trace, master: Trace) -> float:
-        """Share c_1/(c_1 + c_2) of the slave's plane modulus; 0 if the master is rigid."""
+        """Ratio c_1/(c_1 + c_2) of plane moduli (1: slave, 2: master); 0 if the master is rigid."""
         own = self.bodies.plane_modulus(slave.cells)
         other = self.bodies.plane_modulus(master.cells)
         return own / (own + other)

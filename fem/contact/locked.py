@@ -1,4 +1,4 @@
-"""Sector of a ring with flats under pressure, locked against rollers above its flats.
+"""Sector of a ring with flats in its bore; pressure on the flats presses the ring against rollers.
 
 The model is half a sector between the middle of a flat on the x axis and a corner, in plane stress.
 In the mesh, the bodies touch. The support of the roller then moves outwards by the clearance; gaps
@@ -116,7 +116,7 @@ class LockedSector:
         return float(fit[1]), float(np.sqrt(spread))
 
     def half_widths(self, p: float, hub: Force = (0.0, 0.0)) -> tuple[float, float]:
-        """Half-widths of the contacts on the ring and on the race (0 for a rigid roller)."""
+        """Half-widths of two contacts: on the ring, and on the race (0 if the roller is rigid)."""
         near, *far = self.at(p, hub).touches
         r = self.sector.d_e / 2
         on_race = far[0].half_width((r + self.d, 0.0)) if far else 0.0

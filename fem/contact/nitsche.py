@@ -123,7 +123,7 @@ def _settle(own: Rows, energy: Piecewise, p: Array, v: Array) -> tuple[Array, Ar
 
 
 def _check_slaves(problem: ContactProblem, loaded: Iterable[str]) -> None:
-    """Raise ValueError if the stress of a slave does not give the traction of its pair."""
+    """Raise ValueError if other loads or contacts act on the slave surface of a pair."""
     mesh, surfaces, mortars = problem.bodies.basis.mesh, problem.surfaces, problem.interface.mortars
     others = [(f"a load on {x!r}", named_facets(mesh, x)) for x in loaded if x in mesh.boundaries]
     touching = [

@@ -75,8 +75,8 @@ class Rows:
 def rows(bodies: Bodies, surfaces: Surfaces, interface: Interface, alpha: float) -> Rows:
     """Rows of all pairs, with gamma = `alpha` h/(lambda + 2 mu).
 
-    h is the depth of the cell behind a facet, area over length. The depth determines how large the
-    stress on the facet can be for a given strain energy of the cell.
+    h is the depth of the cell behind a facet: its area divided by the length of the facet. The
+    depth determines how large the stress on the facet can be for a given strain energy of the cell.
     """
     area = np.abs(jacobians(bodies.basis.mesh, bodies.basis.X)[1]) @ bodies.basis.W
     normal, tangential = [], []

@@ -20,8 +20,9 @@ from fem.plane.solution import PlaneSolution
 class PointTouch(Touch):
     """Contact of a pair with tractions at the integration points.
 
-    Tractions at the nodes are their best approximation by the hat functions of the mortar method. A
-    node is closed or sticks if most of the surface near the node is closed or sticks.
+    The hat functions of the mortar method approximate these tractions; their coefficients are the
+    tractions at the nodes. A node is closed or sticks if most of the surface near the node is
+    closed or sticks.
     """
 
     @property

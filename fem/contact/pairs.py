@@ -1,4 +1,4 @@
-"""Possible contacts: pairs of boundaries, rigid obstacles and rigid bodies."""
+"""Definition of contacts: pairs of surfaces that may touch, rigid obstacles, and rigid bodies."""
 
 from dataclasses import dataclass
 from typing import Literal, get_args
@@ -46,7 +46,7 @@ class Pair:
     The nodes of the slave carry the traction. The slave should have the finer mesh or the smaller
     surface. `friction` is Coulomb's coefficient. `slave_shape` and `master_shape` are the exact
     shapes of the meshed boundaries; with these shapes, the facets do not affect the gap.
-    `interference` [length] is subtracted from the whole gap; `press_fit` permits surfaces that
+    `interference` [length] is subtracted from the gap everywhere; `press_fit` permits surfaces that
     overlap in the mesh. `normal` is the direction of gap and pressure: the normal of the surface
     "between" the deformed bodies, on which the bodies meet, or the normal of the "master", for a
     body that slides along a flat of constant inclination. Raises ValueError for negative friction,

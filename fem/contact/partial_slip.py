@@ -12,9 +12,10 @@ WINDOW = 0.06  # of Q/(mu P) about a value's, over which a sweep is smoothed
 def stick_share(touch: Touch) -> float:
     """Squared ratio (c/a)² of the half-widths of stick zone and contact, from the traction q.
 
-    q is the difference mu p_a - mu p_c of two ellipses. The moments of the first are mu P and mu P
-    a²/4; those of the second have the factors (c/a)² and (c/a)⁴. Therefore 4 M_2/(M_0 a²) = (1 -
-    (c/a)⁴)/(1 - (c/a)²) = 1 + (c/a)². M_2 is the second moment about the centre of q.
+    q is the difference mu p_a - mu p_c of two ellipses. The zeroth and second moments of mu p_a are
+    mu P and mu P a²/4; those of mu p_c are smaller by the factors (c/a)² and (c/a)⁴. Therefore the
+    moments of q give 4 M_2/(M_0 a²) = (1 - (c/a)⁴)/(1 - (c/a)²) = 1 + (c/a)². M_2 is the second
+    moment about the centre of q.
     """
     s, load = touch.along((0.0, 0.0)), touch.q * touch.weight
     M_0 = load.sum()
@@ -43,7 +44,7 @@ def apart(state: ContactSolution, other: ContactSolution) -> float:
 
 
 def loop_area(x: Array, Q: Array) -> float:
-    """Area enclosed by a loop of equal steps that reverses once, in the middle (Simpson)."""
+    """Area of a loop by Simpson's rule; the loop has equal steps and reverses in the middle."""
     weights = np.full(x.size // 2 + 1, 2.0)
     weights[1::2], weights[[0, -1]] = 4.0, 1.0
     half = x.size // 2
@@ -52,7 +53,7 @@ def loop_area(x: Array, Q: Array) -> float:
 
 
 def beyond_chord(x: Array, Q: Array, at: Array) -> Array:
-    """Deviations (2n,) of the displacement from the line between the tips -Q_max and Q_max.
+    """Deviations (2n,) of `x` from the straight line between the loop's tips at -Q_max and Q_max.
 
     The first n values belong to the branch with falling Q, the last n to the branch with rising Q,
     both in the order of the loop. `at` (n,) are rising values of Q/Q_max.
@@ -67,9 +68,9 @@ def beyond_chord(x: Array, Q: Array, at: Array) -> Array:
 def order_in_steps(x: Array, Q: Array, work: float) -> tuple[float, float]:
     """Order of convergence of a loop area by the trapezoidal rule, and the error of the area.
 
-    The area is computed from every fourth and from every second step; the error is that of every
-    second. The reference is the `work` of friction, which is exact for any steps: the friction
-    force of a slipping node is always mu p.
+    The area is computed from every fourth and from every second step; the error is that of the area
+    from every second step. The reference is the `work` of friction, which is exact for any step
+    size, because the friction force of a slipping node is always mu p.
     """
     coarse, fine = (abs(abs(float(np.trapezoid(Q[::n], x[::n]))) - work) for n in (4, 2))
     return float(np.log2(coarse / fine)), float(fine)

@@ -1,4 +1,4 @@
-"""Point contacts of bodies of revolution: approach for a given load, and stresses near the axis."""
+"""Point contacts of bodies of revolution: approach of the bodies, and stresses near the axis."""
 
 import numpy as np
 
@@ -19,7 +19,7 @@ def push(state: ContactSolution) -> float:
 def at_load(
     problem: ContactProblem, P: float, approach: float, state: ContactSolution
 ) -> tuple[float, ContactSolution]:
-    """Approach [m] at which the force is `P`, and the contact state there.
+    """Approach of the bodies [m] under the force `P`, and the contact state under this force.
 
     A secant method begins with the contact state `state` at `approach`. The boundary "upper.middle"
     is displaced along -y. Raises NotFoundError if the force does not converge to `P`.

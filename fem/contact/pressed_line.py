@@ -37,8 +37,8 @@ class PressedLine:
     ) -> None:  # fmt: skip
         """`build(zone, cells, refine)` defines the problem; the boundary `cut` is displaced.
 
-        `guess` [m] is the approximate half-width; `arc` [m] is the radius along which cells are
-        equal.
+        `guess` [m] is the approximate half-width; `arc` [m] is the radius of the surface, along
+        which cells have equal lengths. `softness` [1/Pa] is the sum of (1 - nu^2)/E of both bodies.
 
         A coarse solution finds the edge of the contact. All meshes have a vertex there; therefore,
         mesh levels differ only in the size of the cells.
@@ -78,7 +78,7 @@ class PressedLine:
         return (points.x[0] + points.y[0]) / 2, self.touch.p * np.abs(points.n[1]) * points.weight
 
     def values(self) -> dict[str, float]:
-        """Peak pressure, half-width and approach in the units of the input."""
+        """Peak pressure, half-width, and approach of the bodies, in the units of the input."""
         return {"p_0": self.peak, "a": self.half_width, "approach": self.approach}
 
     def rounding(self, key: str, value: float) -> float:
@@ -133,7 +133,7 @@ class PressedLine:
         raise NotFoundError(f"the load P was not reached: relative error {more:.1e}")
 
     def _missing(self, d: float) -> tuple[ContactSolution, float]:
-        """Contact state with the cut moved down by `d`, and the missing share of P."""
+        """Contact state with the cut moved down by `d`, and the relative error of the load."""
         solution = self.problem.solve(displacements={self.cut: {"y": -d}})
         half = abs(solution.touches[0].force[1])
         return solution, 2 * half / self.P - 1

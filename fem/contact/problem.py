@@ -9,9 +9,9 @@
     pushed = problem.solve(forces={"disc.top": (1e4, -1e5)}, after=pressed)
 
 Strains and rotations must be small. Bodies with an initial gap are first moved together rigidly;
-after that, surfaces may only slide by distances that are small relative to their radii. For nearly
-incompressible bodies (nu above 0.48), pressures alternate from node to node, as in all elements
-with one degree of displacements; resultants and half-widths are not affected.
+after that, surfaces may only slide by distances that are small relative to their radii. Nearly
+incompressible bodies (nu above 0.45, except in plane stress) require displacements of degree 2;
+they are solved in a mixed form, see `fem.plane.mixed`.
 
 With `along=Along(supports={"block.bottom": 0.0})`, bodies in plane strain also move along the third
 axis z, by u_z(x, y) under `axial_forces={"disc.top": 1e4}`. The resultant of both components of
@@ -103,15 +103,15 @@ class ContactProblem:
         contacts
             Pairs of boundaries; a boundary may appear in several pairs.
         supports, anchors
-            See `solve_plane`. Bodies that contact and loads hold in place need no supports.
+            See `solve_plane`. Bodies in equilibrium under loads and contact need no supports.
         obstacles
             Rigid surfaces without a mesh, by name.
         ties, means
             See `solve_plane`: ties between sections of cyclic sectors; boundaries with a prescribed
             mean motion that deform freely.
         along
-            Supports along the third axis z, if bodies may move along z: u_z(x, y) in plane strain,
-            with one friction limit for the resultant of both components.
+            Supports along the third axis z; necessary if bodies may move along z (by u_z(x, y), in
+            plane strain only). Friction then has one limit, for the resultant of both components.
         thickness
             Length out of the plane; all forces refer to this length.
         degree
@@ -175,24 +175,23 @@ class ContactProblem:
             obstacles such as {"anvil": {"y": -1e-5}}; mean motions such as {"rim": {"r": 1e-3}}.
             Supports that are not named have their original values.
         axial_forces, axial_displacements
-            Forces and displacements along the third axis, with `along`: total uniform forces on
-            boundaries, or on obstacles that are free along this axis; new values of supports along
-            this axis.
+            Only with `along`: total uniform forces along the third axis on boundaries, or on
+            obstacles that are free along this axis; and new values of supports along this axis.
         after
             Previous step, from which friction continues.
         steps
             Number of equal increments in which all loads change from those of `after`, or from
             zero. Friction depends on the load path: pressing bodies of different materials together
-            requires about 20 steps, or as many calls of `solve`. Where a gap closes, slip begins at
-            its closure.
+            requires about 20 steps, or as many calls of `solve`. Where a gap closes, slip is
+            measured from the closure of the gap.
 
         Raises
         ------
         ValueError
             For unknown names and wrong values.
         NoEquilibriumError
-            If it is proven that no contact forces balance the loads, so that a body moves. It is
-            also a ValueError.
+            If it is proven that no contact forces balance the loads, so that a body moves. This
+            error is also a ValueError.
         NotFoundError
             If no equilibrium was found. This proves nothing about the bodies.
         """
@@ -285,7 +284,7 @@ class ContactProblem:
 
     @staticmethod
     def _trial(interface: Interface, w: Array, after: ContactSolution | None) -> Array:
-        """Gaps and slips `w` for unchanged contact forces."""
+        """Gaps and slips: `w`, changed by the contact forces and motions of the step `after`."""
         kernel = interface.kernel
         if after is None:
             return w
@@ -315,7 +314,7 @@ class ContactProblem:
         self, interface: Interface, w: Array, slips: Array, after: ContactSolution | None,
         closing: tuple[Indices, Array],
     ) -> Array:  # fmt: skip
-        """Slips of surfaces with an open gap, from `slips` until the gap closes."""
+        """Additional slips of surfaces until their gaps close; zero for other nodes."""
         kernel, m, (closes, share) = interface.kernel, interface.gaps.size, closing
         rows = kernel.partner[closes]
         found = np.zeros(slips.size)

@@ -63,7 +63,7 @@ class Release:
         )
 
     def _settled(self, motion: Array, share: float, states: States) -> Solution:
-        """Solution on springs that are unloaded at `motion` (k,)."""
+        """Solution on springs of relative stiffness `share` that are unloaded at `motion` (k,)."""
         spring = self.system.springs(share)
         e = self.e + spring @ motion
         try:

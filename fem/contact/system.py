@@ -103,14 +103,17 @@ class ContactSystem:
         return motions[:, resisted], motions[:, ~resisted]
 
     def springs(self, share: float) -> Array:
-        """Springs (k, k) on rigid motions; springs on neutral motions do not depend on `share`."""
+        """Springs (k, k) on rigid motions, with the stiffness of the contact times `share`.
+
+        Springs on neutral motions do not depend on `share`.
+        """
         resisted, neutral = self.motions
         return self.stiffness * (
             share * resisted @ resisted.T + STAYING * neutral @ neutral.T
         )  # fmt: skip
 
     def loads_at_round_off(self, w_0: Array) -> float:
-        """Loads on rigid motions that the round-off of `w_0` (n,) causes."""
+        """Largest load on a rigid motion that the round-off of `w_0` (n,) causes."""
         closing = float(np.max(np.abs(w_0) / self.compliance, initial=0.0))
         return LOAD_TOLERANCE * closing * float(self.arms.max(initial=0.0))
 
@@ -125,7 +128,10 @@ class ContactSystem:
         return np.where(normal & (size <= GAP_TOLERANCE * size.max(initial=0.0)), 0.0, w_0)
 
     def missed(self, e: Array, multipliers: Array) -> tuple[float, float]:
-        """Unbalanced loads on the rigid motions, and the magnitude of all forces on them."""
+        """Largest unbalanced load on a rigid motion, and largest sum of forces on a motion.
+
+        The sum contains the absolute values of loads and contact forces.
+        """
         size = np.abs(e) + np.abs(self.D.T) @ np.abs(multipliers)
         missed = np.abs(self.motions[0].T @ (e + self.D.T @ multipliers))
         return float(missed.max(initial=0.0)), float(size.max(initial=0.0))

@@ -116,7 +116,7 @@ class Trace:
         return replace(self, nodes=nodes, end_normals=normals, shape=shape)
 
     def curvature(self) -> float:
-        """Largest curvature [1/length] of the exact shape, or of the facets without exact shape.
+        """Largest curvature [1/length] of the exact shape or, if there is none, of the facets.
 
         The curvature of a facet is the angle between the normals at its ends, divided by its
         length.

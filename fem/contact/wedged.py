@@ -1,8 +1,8 @@
 """Half a roller on an inclined race under a normal force: free, held by a cage, or released.
 
-The bisector of the wedge is the x axis; the wedge becomes narrower towards +x. By symmetry and
-without friction, the section y = 0 of the roller remains straight. The race is displaced along its
-normal. The caller chooses its tangential displacement and the force at the middle of the roller.
+The bisector of the wedge is the x axis; the wedge becomes narrower towards +x. By symmetry, the
+section y = 0 of the roller remains straight. The race is displaced along its normal. The caller
+chooses the tangential displacement of the race, and the force at the middle of the roller.
 """
 
 import math
@@ -25,7 +25,7 @@ MOST = 40
 
 
 class Geometry(NamedTuple):
-    """Radius R [m], half of the wedge angle [rad], and half-width a [m] resolved by the mesh."""
+    """Radius R [m], half of the wedge angle [rad], and contact half-width a [m] for the mesh."""
 
     R: float
     half: float
@@ -58,7 +58,8 @@ class Wedge:
     ) -> ContactSolution:  # fmt: skip
         """Contact state for race displacements `down` and `along` [m] and the force `push` [N/m].
 
-        `push` acts at the middle of half a roller and is positive into the wedge.
+        The race moves by `down` towards the roller and by `along` into the wedge. `push` acts at
+        the middle of half a roller and is positive into the wedge.
         """
         x, y = along * self.geometry.tangent - down * self.geometry.normal
         forces = {"roller.inner": (push, 0.0)} if push else None
@@ -66,7 +67,7 @@ class Wedge:
         return self.problem.solve(displacements=moved, forces=forces, after=after, steps=steps)
 
     def forces(self, state: ContactSolution) -> tuple[float, float]:
-        """Normal and tangential force [N/m]; the tangential force pulls the roller inwards."""
+        """Normal force, and tangential force on the roller (positive into the wedge) [N/m]."""
         force = np.array(state.touches[0].force)
         return float(force @ self.geometry.normal), float(-force @ self.geometry.tangent)
 
