@@ -53,7 +53,7 @@ class Shape(Protocol):
 
 @dataclass(frozen=True)
 class FlatObstacle:
-    """Half plane behind the point `at`; `normal` points out of it, towards the beam."""
+    """Half plane with the point `at` on its boundary; `normal` points towards the beam."""
 
     at: tuple[float, float]
     normal: tuple[float, float]

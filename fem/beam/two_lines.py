@@ -85,7 +85,7 @@ def onset(U: Array, F: Array, N: Array) -> tuple[float, float, float]:
 
 
 def on_common(one: Array, other: Array, stroke: float) -> tuple[Array, Array]:
-    """Points of the curves `one` and `other` at common displacements (within 1e-6 of `stroke`)."""
+    """Points of `one` and `other` at displacements in both curves (within 1e-6 x `stroke`)."""
     U, V = (np.round(curve[0] / stroke, 6) for curve in (one, other))
     return one[:, np.isin(U, V)], other[:, np.isin(V, U)]
 

@@ -64,7 +64,7 @@ class AlongBodies:
         return self.T @ q + pull.u_0
 
     def pull(self, forces: Mapping[str, float], displacements: Mapping[str, Prescribed]) -> Pull:
-        """Load along z from dictionaries by name: forces, and prescribed displacements of supports.
+        """Load along z from forces and from prescribed displacements of supports, both by name.
 
         Supports that are not named in `displacements` retain their values.
         """
@@ -83,7 +83,7 @@ class AlongBodies:
         return Pull(f, self.nodes.prescribed({**self.along.supports, **displacements}))
 
     def reaction(self, boundary: str, u: Array, forces: Array) -> float:
-        """Force along z that the support of `boundary` exerts at `u`, under `forces` (nodes,).
+        """Force along z of the support of `boundary`, for displacements `u` and loads `forces`.
 
         If several supports prescribe a node, its reaction is assigned to the first of these
         supports.

@@ -60,8 +60,8 @@ def _exchange(tableau: Array, row: int, column: int) -> None:
 def _blocking(rates: Array, values: Array, artificial: int) -> int:
     """Row whose basic variable first reaches zero as the entering variable grows; -1 for a ray.
 
-    If several variables reach zero together, z_0 leaves the basis, otherwise the variable with the
-    largest pivot.
+    Among variables that reach zero together, the row of z_0 (`artificial`) is chosen; without z_0,
+    the row with the largest pivot.
     """
     falling = (rates < -PIVOT_TOLERANCE * max(rates.max(), -rates.min())).nonzero()[0]
     if not falling.size:

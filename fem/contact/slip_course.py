@@ -89,7 +89,7 @@ class Swing:
 def swing(discs: DrivenDiscs, first: ContactSolution, top: Array, Q: float, steps: int) -> Swing:
     """Cycle that begins in the state `first`, with the force Q [N/m] and displacement `top` [m].
 
-    `top` has the components x and y.
+    `top` has the components x and y and belongs to the upper section.
     """
     there = np.linspace(1.0, -1.0, steps + 1)[1:]
     state, work, found = first, 0.0, [(top[0], Q)]

@@ -25,11 +25,11 @@ class Touch:
 
     Values at the m nodes of the slave, in order along the surface: `x` (2, m) positions; `arc` (m,)
     [length] from the start of the surface; `pressure` (m,) [stress]; `traction` (m,) [stress] on
-    the master, along the normal from slave to master rotated by +90°; `gap` and `slip` (m,)
-    [length], weighted means about each node, with the slip since the previous step; `closed` and
-    `sticks` (m,); `traction_z` and `slip_z` (m,) along the third axis, zero for plane problems.
-    Values at the n integration points of `mortar`: `p`, `q`, `q_z` (n,) [stress] and `weight` (n,)
-    [area].
+    the master, along t (the normal from slave to master, rotated by +90°); `gap` and `slip` (m,)
+    [length]; `closed` and `sticks` (m,); `traction_z` and `slip_z` (m,) along the third axis, zero
+    for plane problems. `gap` and `slip` are weighted means about each node; `slip` is the slip
+    since the previous step. Values at the n integration points of `mortar`: `p`, `q`, `q_z` (n,)
+    [stress] and `weight` (n,) [area].
     """
 
     x: Array
