@@ -58,7 +58,7 @@ def _scale(row_id: str, was: Kept, now: Kept) -> Iterator[Change]:
 
 
 def _acceptance(row_id: str, was: Accepted, now: Accepted) -> Iterator[Change]:
-    """Changes of the acceptance figures of a row.
+    """Changes of the acceptance limits of a row.
 
     If the words of the figures ("accepted" or "required") are the same in both runs, each looser
     figure is a change. Otherwise, there is one change for all figures together.

@@ -33,7 +33,7 @@ class Kept:
     """Stored values of a row; dimensional numbers are in `unit`.
 
     `reference` is the value with which the formula is compared: that of finite elements, or that of
-    another method. `figures` are the acceptance figures [%] in the text of a fact, each with
+    another method. `figures` are the acceptance limits [%] in the text of a fact, each with
     "accepted" or "required". `accepted` is the limit of a difference, relative to the scale of the
     row.
     """
