@@ -1,4 +1,4 @@
-r"""Stiffness of a clutch if the sprag forces act along their struts, inclined by nu (Eq. 3).
+r"""Stiffness of a clutch whose sprags are struts, with forces inclined by nu to the radius (Eq. 3).
 
 .. math:: \delta = (\cos\psi - \tan\nu \sin\psi)\, dx + \dots
    = \cos(\psi + \nu)\, dx / \cos\nu + \dots
@@ -46,8 +46,8 @@ def leaning(clutch: SpragCoupling, at: ArrayLike) -> float:
 def coupling_across(gone: Array, *, k: float, nu: float) -> float:
     """Stiffness K_xy [N/m] of a clutch without the sprags at the angles `gone` (m,) [rad].
 
-    k [N/m] is the contact stiffness of the other sprags. K_xy = -k tan(nu) sum cos(2 psi); it is
-    zero for the complete clutch.
+    k [N/m] is the contact stiffness of the remaining sprags. `gone` is symmetric about the x axis.
+    K_xy is -k tan(nu) times the sum of cos(2 psi) over `gone`; without missing sprags it is zero.
     """
     return float(-k * math.tan(nu) * np.cos(2 * gone).sum())
 
@@ -55,8 +55,8 @@ def coupling_across(gone: Array, *, k: float, nu: float) -> float:
 def coupling_with_torsion(gone: Array, *, k: float, nu: float, d_t: float) -> float:
     """Stiffness K_yz [N] of a clutch without the sprags at `gone` (m,) [rad]: tan(nu) K_xz.
 
-    k [N/m] is the contact stiffness of the other sprags, d_t [m] the lever arm of their normal
-    forces.
+    k [N/m] is the contact stiffness of the remaining sprags, d_t [m] the lever arm of their normal
+    forces. `gone` is symmetric about the x axis.
     """
     lever = k * d_t
     return float(-lever * math.tan(nu) * np.cos(gone).sum())

@@ -26,7 +26,7 @@ def radial_force(clutch: SpragCoupling, q: ArrayLike, *, i: int = 0) -> float:
 
 
 def radial_stiffness(clutch: SpragCoupling, q: ArrayLike, *, i: int = 0) -> float:
-    """Radial stiffness dF_r/d delta_r [N/m] as printed; its sum over equally spaced sprags is zero.
+    """Radial stiffness dF_r/d delta_r [N/m] of Eq. 10 as printed; it is zero for a uniform clutch.
 
     >>> from analytic.rotor.clutch import even_angles
     >>> one = SpragCoupling(psi=even_angles(Z=4), R_i=1.0, nu=np.pi / 4, L=1.0, k_n=3.0)
@@ -38,7 +38,10 @@ def radial_stiffness(clutch: SpragCoupling, q: ArrayLike, *, i: int = 0) -> floa
 
 
 def stiffness_with_lever(clutch: SpragCoupling, q: ArrayLike, *, lever: float) -> Array:
-    """Stiffness K (5, 5) if the lever arm [m] of the torque is not d_t: last row times lever/d_t.
+    """Stiffness K (5, 5) with the lever arm `lever` [m] of the torque in place of d_t.
+
+    The last row is multiplied by lever/d_t.
+
 
     >>> from analytic.rotor.clutch import even_angles
     >>> psi = even_angles(Z=4, missing=(0,))

@@ -21,9 +21,9 @@ def preload_twist(
 ) -> Array:
     """Twist g0 (...) [rad] under the torques T (...) [N m], at a fixed offset.
 
-    `offset` (4,) contains dx, dy [m] and the tilts gx, gy [rad], which the bearings impose. The
-    initial twist is that of a uniform clutch in closed form, increased until the deflection of
-    every slice is at least that of the uniform clutch.
+    `offset` (4,) contains dx, dy [m] and the tilts gx, gy [rad], which the bearings impose.
+    Newton's method starts at the twist of a uniform clutch in closed form, increased until the
+    deflection of every slice is at least that of the uniform clutch.
 
     >>> from analytic.rotor.clutch import even_angles
     >>> one = SpragCoupling(psi=even_angles(Z=4), R_i=1.0, nu=np.pi / 4, L=1.0, k_n=3.0)
@@ -110,7 +110,7 @@ def under_loads(clutch: SpragCoupling, loads: ArrayLike) -> Array:
 
 
 def _shortened(clutch: SpragCoupling, q: Array, step: Array, P: Array) -> float:
-    """Fraction of a step at whose end the slope of the potential is below a limit; 0 if none is.
+    """Fraction of `step` at whose end the slope of the potential is below a limit; 0 if not found.
 
     The fraction is halved until the slope is at most 0.9 times the magnitude of the initial slope.
     Slopes are compared, because round-off affects values of the potential long before it affects

@@ -21,9 +21,9 @@ def aside(offset: float, L: float, delta_0: float) -> tuple[float, float]:
 
     The tilt moves the ends of sprags of length L by the offset.
 
-    >>> aside(1.0, 4.0, 8.0)  # the given offset; then a quarter of the deflection
+    >>> aside(1.0, 4.0, 8.0)  # dx = offset
     (1.0, 0.5)
-    >>> aside(1.0, 4.0, 2.0)
+    >>> aside(1.0, 4.0, 2.0)  # dx = delta_0/4
     (0.5, 0.25)
     """
     dx = min(offset, LARGEST * delta_0)
@@ -33,7 +33,7 @@ def aside(offset: float, L: float, delta_0: float) -> tuple[float, float]:
 def couplings(clutch: SpragCoupling, *, T: float, dx: float, tilt: float) -> dict[str, float]:
     """Coupling stiffnesses [N] by Eqs. 3 to 11 under T [N m], with the first sprag at half a pitch.
 
-    With four sprags, of which one is at 0 deg, both would be zero.
+    With four sprags, of which one is at 0 deg, both couplings would be zero.
     """
     turned = replace(clutch, psi=even_angles(Z=clutch.Z, psi_0=math.pi / clutch.Z))
     K = turned.stiffness(under_torque(turned, T=T, offset=(dx, 0, 0, tilt)))

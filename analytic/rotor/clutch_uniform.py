@@ -40,7 +40,7 @@ def normal_force(*, T: ArrayLike, Z: int, d_t: ArrayLike) -> Array:
 
 
 def approach(*, N: ArrayLike, k_n: ArrayLike, n: float = LINE_CONTACT) -> Array:
-    """Deflection delta_0 [m] of both contacts under N [N], from Eq. 2.
+    """Deflection delta_0 [m] of a sprag, the sum over both contacts, under N [N] (Eq. 2).
 
     >>> float(approach(N=8.0, k_n=1.0, n=3.0))
     2.0
@@ -110,7 +110,7 @@ def offset_coupling(
 
 
 def secant_over_tangent(*, n: float = LINE_CONTACT) -> float:
-    """Ratio 1/n of secant to tangent stiffness, because loads are homogeneous of degree n (Euler).
+    """Ratio 1/n of secant to tangent stiffness, as loads are homogeneous functions of degree n.
 
     >>> round(secant_over_tangent(), 12)
     0.9

@@ -108,7 +108,7 @@ class Cylinder:
         return tuple(scale[:, None] * part * scale for part in (K, M, G))  # type: ignore[return-value]
 
     def _amplitudes(self) -> tuple[Array, Array, Array, Array]:
-        """Amplitudes U, V, W, their slopes (3, points, coefficients), weights times r, radii.
+        """Amplitudes U, V, W and slopes, (3, points, coefficients) each; weights times r; radii.
 
         With polynomials f, g, h: U = f, V = -f + c g, W = b h. For a solid cylinder, they are
         polynomials in r^2 with c = (r/r_o)^2, b = r/r_o, so that displacements and strains are

@@ -9,9 +9,10 @@ Array = NDArray[np.float64]
 
 
 def tubes_inertia(*, end: Array, length: Array, d_o: Array, d_i: Array, rho: float) -> Array:
-    """Mass, polar and diametral moment of inertia about z = 0, (3,), of tubes ending at `end`.
+    """Total mass, polar and diametral moment of inertia (3,) of tubes that end at z = `end`.
 
-    Positions, lengths and diameters are arrays (e,) [m]; rho is the density [kg/m^3].
+    The diametral moment is about z = 0. Positions, lengths and diameters are arrays (e,) [m]; rho
+    is the density [kg/m^3].
 
     >>> one = np.ones(1)
     >>> shape = {"end": one, "length": one, "d_o": one, "d_i": 0 * one}
@@ -29,7 +30,10 @@ def tubes_inertia(*, end: Array, length: Array, d_o: Array, d_i: Array, rho: flo
 
 
 def discs_inertia(*, z: Array, mass: Array, polar: Array, diametral: Array) -> Array:
-    """Mass, polar and diametral moment of inertia about z = 0, (3,), of discs at z (k,) [m]."""
+    """Total mass, polar and diametral moment of inertia (3,) of discs at z (k,) [m].
+
+    The diametral moment is about z = 0.
+    """
     return np.array([mass.sum(), polar.sum(), (diametral + mass * z**2).sum()])
 
 

@@ -26,7 +26,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Excited:
-    """Critical speeds [rad/s] due to unbalance of shafts with the speed ratio `ratio`; modes."""
+    """Modes at the critical speeds due to unbalance of the shafts with the speed ratio `ratio`."""
 
     ratio: float
     shafts: tuple[str, ...]
@@ -53,10 +53,11 @@ def study(
     rotor: TransferMatrixRotor, names: Sequence[str], speed: float,
     unbalances: Mapping[float, Mapping[int, complex]], count: int,
 ) -> Study:  # fmt: skip
-    """Results: `count` modes and response at `speed` [rad/s], critical speeds, torsional frequency.
+    """Compute modes and response at `speed` [rad/s], critical speeds, and the torsional frequency.
 
-    `names` are the names of the shafts. `unbalances` [kg m] are given at stations numbered from 0,
-    grouped by the speed ratio of their shaft. A shaft that does not rotate causes no excitation.
+    `count` is the number of modes, `names` are the names of the shafts. `unbalances` [kg m] are
+    given at stations numbered from 0, grouped by the speed ratio of their shaft. A shaft that does
+    not rotate causes no excitation.
     """
     return Study(
         modes=modes(rotor, speed, count=count),
@@ -71,12 +72,12 @@ def study(
 
 
 def ratios(rotor: TransferMatrixRotor) -> list[float]:
-    """Different speed ratios of the rotating shafts, in the order of the shafts."""
+    """Distinct speed ratios of the rotating shafts, in the order of the shafts."""
     return list(dict.fromkeys(shaft.ratio for shaft in rotor.shafts if shaft.ratio))
 
 
 def _excited(rotor: TransferMatrixRotor, names: Sequence[str], ratio: float) -> Excited:
-    """Critical speeds by unbalance of the shafts with one speed ratio.
+    """Critical speeds due to unbalance of the shafts with the speed ratio `ratio`.
 
     On isotropic bearings, unbalance excites only whirl in the direction of its rotation.
     """
@@ -91,8 +92,8 @@ def _excited(rotor: TransferMatrixRotor, names: Sequence[str], ratio: float) -> 
 def opposite_criticals(rotor: TransferMatrixRotor) -> list[float]:
     """Critical speeds [rad/s] of whirl opposite to the unbalance; empty for anisotropic bearings.
 
-    Unbalance excites them only if bearings differ in x and y. If the bearings of the model differ
-    in x and y, `study` already contains all critical speeds.
+    Unbalance excites them only on anisotropic bearings. In this case, `study` already contains all
+    critical speeds.
     """
     if not rotor.isotropic:
         return []

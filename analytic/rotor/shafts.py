@@ -127,11 +127,11 @@ class UniformShaft:
     def critical_speed(self, j: int, *, theory: Theory, backward: bool = False) -> float:
         """Critical speed [1/time] of mode j, forward or backward; may be infinite.
 
-        It is infinite if the whirl frequency exceeds the speed at every speed, by gyroscopic
-        stiffening.
+        It is infinite if, because of gyroscopic stiffening, the whirl frequency is higher than the
+        rotational speed at any rotational speed.
 
         >>> shaft = UniformShaft(L=np.pi, d_o=4.0, E=1.0, nu=0.3, rho=1.0, kappa=0.9)
-        >>> shaft.critical_speed(1, theory="rayleigh")  # rho A = rho I k^2: never met
+        >>> shaft.critical_speed(1, theory="rayleigh")  # rho A = rho I k^2
         inf
         """
         k = _wave_number(self.L, j)
@@ -150,7 +150,7 @@ class UniformShaft:
         return float(np.sqrt(S * k**2 * bending / (half + np.sqrt(square))))
 
     def _timoshenko(self, k: float, Omega: float) -> tuple[float, float]:
-        """Inner two of the four real roots of the quartic, computed as u/w for full accuracy."""
+        """Inner two of the four real roots w of the quartic, which is solved for 1/w."""
         S, bending = self.S, self.E * self.I * k**2
         u = k * float(np.sqrt(bending / (self.rho * self.A)))  # Euler's, the unit of w
         A, turn = self.rho * self.A * u**2, self.rho * self.I * u**2

@@ -1,8 +1,8 @@
 """Stepped shaft as a Timoshenko beam, with nominal diameters or by the 45° rule.
 
 By the 45° rule, the diameter for the stiffness of the thick part is d_1 plus twice the distance
-from the nearer step, at most d_2, because the corners carry no load. The masses are the real
-masses.
+from the nearer step, but at most d_2: the corners of the thick part carry no load. The masses
+are the real masses.
 """
 
 from dataclasses import dataclass

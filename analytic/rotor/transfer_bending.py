@@ -31,7 +31,7 @@ Complex = NDArray[np.complex128]
 class Bending:
     """Rotor whose segments are divided into equal pieces; `parts` are the numbers of pieces.
 
-    The pieces are so short that no clamped piece has a natural frequency in the range.
+    The pieces are so short that no clamped piece has a natural frequency in the range of `up_to`.
     """
 
     rotor: TransferMatrixRotor
@@ -39,7 +39,7 @@ class Bending:
 
     @staticmethod
     def up_to(rotor: TransferMatrixRotor, w: ArrayLike, Omega: ArrayLike) -> "Bending":
-        """Rotor divided for frequencies from 0 to `w` [rad/s], each at its speed in `Omega`."""
+        """Divide the rotor for frequencies from 0 to `w` [rad/s] at the rotor speeds `Omega`."""
         s, b, t = numbers(rotor, w, Omega)
         parts = pieces(s=s, b=b, t=t).reshape(-1, s.shape[-1]).max(axis=0)
         return Bending(rotor, tuple(int(n) for n in parts))
@@ -73,7 +73,7 @@ class Bending:
 
     @cached_property
     def springs(self) -> Array:
-        """Mean stiffness matrix (n, n) of all bearings, n = 2 nodes [N/m]."""
+        """Stiffness matrix (n, n) [N/m] of all bearings, mean of x and y, with n = 2 nodes."""
         return self._lumped([s.stiffness[0] for s in self.bearings],
                             [s.k_tilt for s in self.bearings]).real  # fmt: skip
 
@@ -95,7 +95,7 @@ class Bending:
         return (*self.rotor.supports, *self.rotor.links)
 
     def stiffness(self, w: ArrayLike, Omega: ArrayLike) -> Array:
-        """Dynamic stiffness D(w, Omega) (m, n, n), isotropic bearings; w < 0 is backward whirl."""
+        """Dynamic stiffness D(w, Omega) (m, n, n), isotropic bearings; backward whirl has w < 0."""
         w, Omega = (np.atleast_1d(np.asarray(v, dtype=np.float64)) for v in (w, Omega))
         D = np.repeat(self.springs[None], w.size, axis=0)
         self._add_pieces(D, w, Omega)

@@ -70,7 +70,10 @@ class Segment:
 
 @dataclass(frozen=True, kw_only=True)
 class SegmentedShaft:
-    """Segments end to end that rotate at `ratio` times the rotor speed (negative: opposite)."""
+    """Shaft of consecutive segments that rotates at `ratio` times the rotor speed.
+
+    A negative `ratio` is rotation in the opposite direction.
+    """
 
     segments: tuple[Segment, ...]
     ratio: float = 1.0
@@ -135,8 +138,8 @@ class Spring:
             y = x if getattr(self, two) is None else getattr(self, two)
             if not (math.isfinite(cross) and cross**2 <= x * y):
                 raise ValueError(
-                    f"{both} must not exceed the square root of {one} times {two}, got {cross:g}; "
-                    f"the factors are {x:g} and {y:g}"
+                    f"{both} must not exceed the square root of ({one} x {two}), got {cross:g}; "
+                    f"the two factors are {x:g} and {y:g}"
                 )
 
     @property

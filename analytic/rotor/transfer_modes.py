@@ -26,7 +26,7 @@ class TransferModes:
 
     `whirl` is 1 for forward, -1 for backward and 0 for planar modes. `unknowns` (k, 2n) are (r+,
     phi+ L) and then (r-, phi- L) of the nodes of `bending`, with r = r+ e^{iwt} + conj(r-)
-    e^{-iwt}. `speeds` (k,) are the speeds of the rotor [rad/s].
+    e^{-iwt}. `speeds` (k,) [rad/s] are the rotor speeds of the modes.
     """
 
     w: Array
@@ -92,7 +92,7 @@ critical_speeds = transfer_critical_speeds  # its name in version 0.1
 
 @dataclass(frozen=True)
 class _Search:
-    """Search for the roots w > 0 of `items` problems with the speeds `speed(w, item)`."""
+    """Search of the frequencies w > 0 of `items` problems; `speed(w, item)` is the rotor speed."""
 
     rotor: TransferMatrixRotor
     speed: Callable[[Array, NDArray[np.int64]], Array]
@@ -135,7 +135,7 @@ class _Search:
 
 
 def _guess(rotor: TransferMatrixRotor) -> float:
-    """Estimate [rad/s] of the order of the lowest frequency: all masses on all springs."""
+    """Rough lowest frequency [rad/s]: rigid rotor on its supports, or bending if that is lower."""
     k = sum(s.stiffness[0] for s in rotor.supports)
     m = sum(d.mass for d in rotor.discs)
     m += sum(s.rho * s.A * s.length for shaft in rotor.shafts for s in shaft.segments)
@@ -150,7 +150,7 @@ def _modes(
     count: int,
     whirl: Whirl | None,
 ) -> TransferModes:
-    """Modes of one problem; on isotropic bearings, forward and backward circles separately."""
+    """Modes of one problem; on isotropic bearings, each whirl sense is solved separately."""
     senses: tuple[Whirl | None, ...] = (whirl,)
     if whirl is None and rotor.isotropic:
         senses = SENSES

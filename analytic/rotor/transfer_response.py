@@ -38,7 +38,7 @@ class TransferResponse:
         return np.asarray(np.abs(plus) + np.abs(minus))
 
     def force(self, spring: Spring) -> tuple[Complex, Complex]:
-        """Force of a shaft on its bearing, or of shaft `a` on a link: components F+ and F- [N]."""
+        """Components F+ and F- [N] of the force on a support, or on a link at its station `a`."""
         if isinstance(spring, StationSupport):
             plus, minus = self.at(spring.node)
         else:
@@ -69,8 +69,9 @@ def transfer_unbalance_response(
 ) -> TransferResponse:
     """Response to unbalances m e [kg m] at stations; each is a complex number with its phase.
 
-    They rotate at `excitation` times the rotor speed, the speed ratio of their shaft. Raises
-    ValueError if a station is unknown, there is no unbalance, or a speed is negative or not finite.
+    They rotate at `excitation` times the rotor speed, where `excitation` is the speed ratio of
+    their shaft. Raises ValueError if a station is unknown, there is no unbalance, or a speed is
+    negative or not finite.
     """
     Omega = np.atleast_1d(np.asarray(speeds, dtype=np.float64))
     if not (np.isfinite(Omega) & (Omega >= 0)).all():

@@ -88,7 +88,8 @@ def pieces(*, s: ArrayLike, b: ArrayLike, t: ArrayLike) -> NDArray[np.int64]:
     r"""Number of equal pieces of a shaft, each without a natural frequency below omega if clamped.
 
     By Poincaré's inequality, with \|r'\|² <= 2\|r' - phi\|² + 2\|phi\|², the energy of a clamped
-    piece stays positive where 2 s b <= pi² and 2 b/pi² + t <= pi²; n pieces have s n², b/n⁴, t/n².
+    piece stays positive where 2 s b <= pi² and 2 b/pi² + t <= pi². If the shaft is divided into n
+    pieces, each of them has s n², b/n⁴ and t/n².
 
     >>> int(pieces(s=0.0, b=20.0, t=0.0)), int(pieces(s=0.0, b=16 * 48.7, t=0.0))  # pi⁴/2 = 48.70
     (1, 2)

@@ -72,7 +72,7 @@ def lines_of(
 
 
 def _carried(bending: Bending, w: float, Omega: float, q: Complex, points: int) -> Complex:
-    """Deflection r and tilt phi (pieces, points, 2) inside the pieces, from both ends of each."""
+    """Deflection r and tilt phi (pieces, points, 2) in the pieces, from values at their ends."""
     n = np.array(bending.parts, dtype=np.float64)
     s, b, t = (
         np.repeat(v, bending.parts)

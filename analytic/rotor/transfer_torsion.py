@@ -21,7 +21,7 @@ FREE = 1e-12
 def torsional_frequencies(rotor: TransferMatrixRotor, *, count: int = 3) -> Array:
     """Lowest `count` non-zero natural frequencies of torsion [rad/s], (count,).
 
-    The free rotation of unsupported shafts does not count. Raises ValueError if count < 1.
+    The zero frequency of freely rotating shafts is omitted. Raises ValueError if count < 1.
     """
     if count < 1:
         raise ValueError(f"count must be at least 1, got {count}")
@@ -53,7 +53,7 @@ def free_turns(rotor: TransferMatrixRotor) -> int:
 
 
 def _parts(rotor: TransferMatrixRotor, w: float) -> list[int]:
-    """Number of pieces of each segment, at most a quarter wave long: no clamped root below w."""
+    """Number of pieces of each segment; no clamped piece has a frequency below w [rad/s]."""
     return [
         max(1, int(np.ceil(w * s.length * np.sqrt(s.rho / s.G) / (np.pi / 2))))
         for shaft in rotor.shafts for s in shaft.segments

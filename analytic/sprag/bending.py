@@ -51,7 +51,7 @@ class Triangle(Protocol):
 
 @dataclass(frozen=True, kw_only=True)
 class Ends:
-    """Displacements of both column ends towards A [P/E'], and rotations [P/E' per length]."""
+    """Displacements of the column ends to the side of A [P/E'], and rotations [P/E' per length]."""
 
     moved: Pair
     turned: Pair
@@ -116,8 +116,8 @@ def ends(column: Column, *, turned: float, alpha_b: float, a: Pair, nu: float) -
 def shift(at: Triangle, ends: Ends, *, column: Column, a: Pair, P: float, races: Pair) -> Shift:
     """Change of the angle between both contacts of a sprag under P = N/(l E') [length].
 
-    `races` [length] is the lateral motion of both races. Both values are positive: the inner race
-    moves towards the side of A, the outer race away from it.
+    `races` [length] are the lateral displacements of the inner race towards the side of A and of
+    the outer race away from this side. Both values are positive.
     """
     OA, OB, beta = float(at.OA), float(at.OB), float(at.beta)
     m, r_e = float(np.asarray(column.sprag.m)), float(np.asarray(column.sprag.r_e))

@@ -1,7 +1,7 @@
 """Kriging of the largest pressures over crowns (Eq. 20), and the optimal crown of the surrogate.
 
 The pressure of the end slice and the largest pressure of all other slices are interpolated
-separately, because the larger of both has a kink where the ends begin to carry load.
+separately, because the larger of both pressures has a kink where the ends begin to carry load.
 """
 
 from collections.abc import Callable, Sequence
@@ -27,7 +27,9 @@ DIRECT = 40  # engagements of the search without a surrogate
 
 @dataclass(frozen=True)
 class Answer:
-    """Largest pressures [Pa] at the end of a sprag and inside, in one engagement, and N_max [N].
+    """Largest pressures [Pa] of the end slice and of all other slices of a sprag, and N_max [N].
+
+    All values are for one engagement.
 
     >>> Answer(end=3e9, inside=2e9, N_max=6e3).largest
     3000000000.0
@@ -50,7 +52,7 @@ def answers(peaks: Peaks, torque: int = 0) -> list[Answer]:
 
 
 def fit_regimes(x: Array, known: Sequence[Answer], box: Box) -> "Largest":
-    """Kriging surrogates of two regimes: pressure of loaded ends, and inner pressure."""
+    """Kriging surrogates of the pressure of the end slice, if loaded, and of the other slices."""
     from analytic.surrogate.largest import fit_largest
 
     end, inside = (np.array([getattr(a, name) for a in known]) for name in ("end", "inside"))
@@ -70,7 +72,9 @@ def infilled(
     true: Callable[[Array], Answer],
     first: "Largest | None" = None,
 ) -> "Infilled[Answer, Largest]":
-    """Result of an infill search, which ends when two successive optima match the model.
+    """Result of an infill search for the optimal crown.
+
+    It ends when the surrogate agrees with the true model at two successive optima.
 
     `known` are the true values of the initial designs x (n, 3); `first` is their surrogate if it
     already exists.
@@ -108,7 +112,7 @@ def recorded(
 def simplex(true: Callable[[Array], float], box: Box, start: Array) -> Array:
     """Evaluations of the true model by Nelder and Mead's simplex method from a crown (3,).
 
-    The search is limited to DIRECT engagements. The rows (n, 4) contain K_1, K_2, z_m and the
+    At most `DIRECT` engagements are computed. The rows (n, 4) contain K_1, K_2, z_m and the
     pressure [Pa].
     """
     pressure, seen = recorded(true, box)

@@ -132,7 +132,7 @@ def at_torque(clutch: SpragClutch, T: ArrayLike) -> Wedged:
 
 
 def at_rotation(clutch: SpragClutch, alpha: ArrayLike) -> Wedged:
-    """State at the rotation alpha [rad]; the unloaded state if alpha is below first contact."""
+    """State at the rotation alpha [rad]; unloaded if alpha is smaller than at first contact."""
     alpha = finite(alpha, "rotation alpha", "rad")
     alpha = np.maximum(alpha, wedged(clutch, 0.0).alpha)
     start = np.where(alpha > wedged(clutch, 0.0).alpha, 1.0, 0.0)

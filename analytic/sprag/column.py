@@ -47,9 +47,10 @@ def approach(outline: Outline, *, a: tuple[float, float], nu: float, degree: int
 
 @dataclass(frozen=True, kw_only=True)
 class Column:
-    """Sprag with flanks at the distance b [length], parallel to the unloaded line of both contacts.
+    """Sprag with two flanks at the distance b [length] from each other.
 
-    Raises ValueError if the flanks do not intersect the spiral or the arc within 75 degrees.
+    The flanks are parallel to the line through both unloaded contacts. Raises ValueError if they do
+    not intersect the spiral or the arc within 75 degrees.
     """
 
     sprag: LogSprag

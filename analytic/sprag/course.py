@@ -37,7 +37,7 @@ def rolled(clutch: SpragClutch, N: ArrayLike) -> Array:
 
 
 def energy(clutch: SpragClutch, N: ArrayLike) -> Array:
-    """Elastic energy U [J] of one sprag with its share of the races, under N [N]."""
+    """Elastic energy U [J] of one sprag and of its share of the races, under N [N]."""
     on_way = _way(clutch, N)
     return _integral(on_way.N, on_way.yields.H)
 

@@ -26,7 +26,7 @@ HELD = {1: 0.5, 2: 10e-6}  # of K_2 and z_m [m] in Figs. 15 and 17
 
 
 def tried(box: Box, x: Array, peaks: Peaks, extra: Array, surrogate: "Largest") -> dict[str, Array]:
-    """Errors of a single kriging surrogate (Eq. 20) and of a surrogate by regimes, by name.
+    """Errors, by name, of one kriging surrogate (Eq. 20) and of `surrogate` for two regimes.
 
     `surrogate` is fitted to the designs x (n, 3) with their `peaks` under the first torque. `extra`
     (m, 3) are designs that were not used for fitting.
@@ -73,7 +73,7 @@ def mapped(last: "Infilled[Answer, Largest]", box: Box, at_hand: Array) -> Mappi
     """Optimal crown, convergence of surrogate and true model, and maps of the surrogate, by name.
 
     The result also contains the value of the surrogate at the given crown `at_hand` (3,), or at the
-    nearest crown of the box.
+    nearest crown of the box if `at_hand` is outside.
     """
     K_1, K_2, z_m = axes(box)
     best = last.answers[int(np.argmin([a.largest for a in last.answers]))]
@@ -104,7 +104,7 @@ def axes(box: Box) -> list[Array]:
 def held(box: Box, axis: int) -> float:
     """Constant value of K_2 (axis 1) or z_m (axis 2) in a map.
 
-    It is that of Figs. 15 and 17, or the middle of the box if the box does not contain it.
+    The value is that of Figs. 15 and 17 if it lies within the box, otherwise the middle of the box.
     """
     low, high, value = box.low[axis], box.high[axis], HELD[axis]
     return value if low <= value <= high else (low + high) / 2

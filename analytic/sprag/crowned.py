@@ -68,7 +68,9 @@ class Crowned:
 
 
 def mid(contact: SlicedContact) -> float:
-    """Pressure [Pa] at mid-length; between two slices, the root mean square of their pressures.
+    """Pressure [Pa] at mid-length of the contact.
+
+    If mid-length is between two slices, it is the root mean square of their pressures.
 
     >>> one = slices.press_slices([0.0] * 4, length=1.0, R=1.0, E_star=1.0, load=1.0)
     >>> bool(np.isclose(mid(one), one.peak_pressure[1]))

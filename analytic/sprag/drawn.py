@@ -1,7 +1,8 @@
-"""State of a sprag from points of its outline between the races: a second method, without triangle.
+"""State of a sprag from points of its outline, by a second method without the triangle of Eq. 10.
 
-The spiral is a set of points. Its contact is the point nearest to the axis, on the parabola through
-three points. Deflections are computed independently: rings under uniform pressure, a bar, slices.
+The spiral is a set of points. It touches the inner race at the point nearest to the axis, which is
+found by a parabola through three points. Deflections are computed independently, by rings under
+uniform pressure, a bar, and slices.
 """
 
 import math
@@ -41,7 +42,7 @@ def crown_drop(y: Array, *, length: float, A: float, K_2: float, z_m: float) -> 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Sizes:
-    """Dimensions of a clutch with z sprags between rings R_id to R_i and R_e to R_ed [m].
+    """Dimensions of a clutch: z sprags between the rings from R_id to R_i and from R_e to R_ed [m].
 
     The sprags have the spiral growth `m`, the width b and the length l [m]. r_i [m] is the radius
     of curvature of the spiral at first contact, `gap` [m] the drop of the crown at the slices. The
@@ -66,9 +67,9 @@ class Sizes:
 
 @dataclass(frozen=True)
 class Touching:
-    """State of a sprag under two forces: N [N], angles [rad] and the torque T [N m] of the clutch.
+    """State of a sprag under the force N [N]: angles [rad], and torque T [N m] of the clutch.
 
-    `A` and `B`, the points of the forces, and the pole `C` are positions (2,) [m]; B is above O.
+    `A` and `B`, the points of both forces, and the pole `C` are positions (2,) [m]; B is above O.
     """
 
     N: float
@@ -86,7 +87,7 @@ class Drawn:
     """Sprag of a clutch whose spiral has `points` points per radian.
 
     With `rigid`, the races have no ring deflection (Liu). With `printed`, a part of the inner
-    deflection is omitted, as in Eqs. 9 and 10 as printed.
+    deflection is omitted, as in the printed Eqs. 9 and 10.
     """
 
     q: Sizes
@@ -119,7 +120,10 @@ class Drawn:
         return self.q.r_i / math.hypot(1, self.growth)
 
     def _near(self, psi: float, alpha: float, OC: float) -> tuple[float, float, float]:
-        """Distance [m] of the spiral from the axis; azimuth and polar angle [rad] there."""
+        """Distance [m] from the axis to the nearest point of the spiral, and its angles [rad].
+
+        The angles are the azimuth about the axis and the polar angle of the spiral.
+        """
         h = 1 / self.points
         centre = round(alpha / h)
         around = round(AROUND / h)
@@ -185,16 +189,16 @@ class Drawn:
         return self.under(float(N))
 
     def at_friction(self, mu: float, near: float) -> Touching:
-        """State with the required friction mu; its force must lie within 50 % of `near` [N]."""
+        """State with the required friction coefficient mu; N must lie within 50 % of `near` [N]."""
         N = brentq(lambda N: math.tan(self.under(N).nu) - mu, 0.5 * near, 1.5 * near, rtol=1e-12)
         return self.under(float(N))
 
     def rolled(self, N: float, steps: int) -> float:
         """Rotation [rad] of the inner race from no load to N [N]; the outer race is at rest.
 
-        In each step, the sprag moves so that its material point in the middle of the path of B
-        retains its azimuth. Its material point in the middle of the path of A rotates the inner
-        race.
+        In each step, contact B moves along a path on the sprag. The sprag rolls so that the
+        material point in the middle of this path retains its azimuth. The inner race rotates with
+        the material point in the middle of the path of contact A.
         """
         way = [self.under(N * (k / steps) ** POWER) for k in range(steps + 1)]
         return math.fsum(_taken(one, two) for one, two in pairwise(way))

@@ -2,10 +2,10 @@
 
 - elastic: races are rings under single loads (`analytic.ring.loaded_race`), the sprag is a column
   with rounded ends (`analytic.sprag.column`), all in plane strain. If the contacts are eccentric,
-  the column bends, and its compliance increases: a parabola over N through the values without load
-  and at two rotations.
-- plane: Hertz's line contacts to the depth of the walls and to half the height of the sprag, and
-  Eq. 6 for long rings.
+  the column bends, and its compliance increases. It is approximated by a parabola over N through
+  the values without load and at two rotations.
+- plane: Hertz's line contacts, with deflections down to the depth of the walls and to half the
+  height of the sprag, and Eq. 6 for long rings.
 - composite: Palmgren's law and Eqs. 6 and 7, as in the paper.
 """
 
@@ -48,13 +48,13 @@ class Race:
         return np.asarray(self.middle + 2 / np.pi * np.log(self.a / a))
 
     def under(self, a: Array) -> Array:
-        """Mean deflection weighted with the elliptic pressure: `at` minus 1/(2 pi)."""
+        """Mean deflection of a patch, weighted with elliptic pressure: `at` minus 1/(2 pi)."""
         return np.asarray(self.at(a) - 1 / (2 * np.pi))
 
 
 @dataclass(frozen=True, eq=False)
 class ElasticSpragClutch:
-    """Sprag clutch of given parts with several laws of deflection; dimensions must be scalars."""
+    """Sprag clutch of given parts with a choice of deflection laws; dimensions must be scalars."""
 
     parts: SpragClutchParts
 
@@ -130,7 +130,7 @@ class ElasticSpragClutch:
 
     @cached_property
     def by_contacts_and_races(self) -> SpragClutch:
-        """Clutch with Palmgren's law and Eq. 6; Eq. 7 would count the sprag body twice."""
+        """Clutch with Palmgren's law and Eq. 6; with Eq. 7, the sprag would be counted twice."""
         compliance = replace(self.parts.palmgren(), sprag=0.0)
         return replace(self.composite, compliance=compliance)
 
@@ -161,8 +161,9 @@ class ElasticSpragClutch:
     def _compliance(self, constant: Callable[[Array], Array]) -> Compliance:
         """Compliance with races as rings under single loads.
 
-        The deflection above the mean of a ring is part of the contact law. `constant(N)` is the
-        approach of the sprag as in `_constant`; half of it counts for each contact.
+        The difference of a ring's deflection from its mean is part of the contact law.
+        `constant(N)` is the approach of the sprag as in `_constant`; half of it counts for each
+        contact.
         """
         unit = 1 / (float(np.asarray(self.parts.l)) * self.E_plane)
         inner, outer = self.races

@@ -20,10 +20,10 @@ A contact that comes to rest must be detected inside the band. In one step, its 
 changes by |dv/dt| dt. If this exceeds the width of the band, friction changes its sign in every
 step, and its mean is arbitrary: the sprag slides permanently, without any sign of the error. For a
 light sprag in full sliding, dv/dt = d - a T is 1e4 to 1e6 m/s²; it is known only after the step.
-The value of the inner race at rest, OA C/I_bi, about 100 m/s², is sufficient for engagements from
-rest, but much too small if a race has an initial speed. Therefore, each step and each stage is
-checked: if the speed of a contact that could have stuck changes its sign from outside the band to
-outside the band, the step is rejected unless `guard` is off.
+The estimate for the inner race at rest, OA C/I_bi, about 100 m/s², is sufficient for engagements
+from rest, but much too small if a race has an initial speed. Therefore, each step and each stage is
+checked: if the speed of a contact that could have stuck changes its sign without a value inside the
+band, the step is rejected unless `guard` is off.
 
 All compiled code is in this file, because stored machine code is compiled again if this file
 changes, but not if another file changes.
@@ -64,7 +64,7 @@ def compiled(function: F) -> F:
 class Law(NamedTuple):
     """Constants of the equations of motion, and a table of forces and geometry over alpha.
 
-    `D_V` is the sticking band, `tau` the decay time of residual sliding.
+    `D_V` is the half-width of the sticking band, `tau` the decay time of residual sliding.
     """
 
     n_s: float
@@ -87,7 +87,7 @@ class Law(NamedTuple):
 
 
 class Place(NamedTuple):
-    """Columns of the table at one rotation, and the derivatives d/dalpha that sliding requires."""
+    """Columns of the table at one rotation, and the derivatives of OA, OB, b_i and b_e by alpha."""
 
     N: float
     OA: float
@@ -128,7 +128,7 @@ def column(law: Law, c: int, k: int, u: float) -> tuple[float, float]:
 
 @compiled
 def place(law: Law, alpha: float) -> Place:
-    """Position of the sprag at `alpha`; for alpha <= 0, the position of first contact."""
+    """Columns of the table at the rotation `alpha`; for alpha <= 0, those of first contact."""
     s = np.sqrt(max(alpha, 0.0))
     at = s / law.step
     k = min(int(at), law.values.shape[1] - 2)
@@ -292,9 +292,10 @@ def run(
     y: Array, dt: float, law: Law, guard: bool, times: Array, torques: Array,
     states: Array, outputs: Array, seen: Array,
 ) -> tuple[int, int, int]:  # fmt: skip
-    """Write `states` and `outputs` at each step; return the kind of end, its step and its contact.
+    """Write `states` and `outputs` at each step; return reason, step and contact of the end.
 
-    If a step passes the sticking band, `seen` receives the outputs before and after it.
+    If a contact passes the sticking band in a step, the outputs before and after this step are
+    written to `seen`.
     """
     stages, at = np.empty((4, len(y))), np.empty(len(y))
     end = (law.step * (law.values.shape[1] - 1)) ** 2

@@ -124,7 +124,7 @@ class System:
         return np.array([0, theta_e, 0, alpha, speeds.inner, speeds.outer, speeds.phi, 0])
 
     def sliding(self, g: Array) -> Array:
-        """Matrix J (2, 4) of the sliding speeds v_i and v_e per speed q'."""
+        """Matrix J (2, 4), with which the sliding speeds (v_i, v_e) are J q'."""
         _, OA, OB, _, b_i, b_e, _ = g
         return np.array([[OA, 0.0, -OA, -b_i], [0.0, -OB, OB, -b_e]])
 
@@ -155,7 +155,7 @@ class System:
         return np.concatenate([y[4:], self._driven(t, y, mode)[0]])
 
     def _driven(self, t: float, y: Array, mode: Mode) -> tuple[Array, Array, Array, Array, float]:
-        """Accelerations q'', T of sliding contacts, forces on rolling contacts, J and N."""
+        """Accelerations q'', T of sliding contacts, n_s J^T T of rolling contacts, J and N."""
         motion, n_s = self.motion, self.sprag.n_s
         g, slope = self.sprag.at(y[3])
         N, OC_g, h = g[0], g[3], g[6]
@@ -185,7 +185,7 @@ class System:
     def mode(self, t: float, y: Array, lost: dict[int, int]) -> Mode:
         """Combination of rolling and sliding contacts with consistent forces and accelerations.
 
-        Contacts that have just `lost` their grip slide in the given direction.
+        `lost` are the contacts at which sliding has just begun, with the directions of sliding.
         """
         if self.unlimited:
             return ROLLS, ROLLS
@@ -223,7 +223,7 @@ class System:
         return float(mode[k] * (self.sliding(self.sprag.at(y[3])[0]) @ y[4:])[k])
 
     def ends(self, mode: Mode) -> list[Callable[[float, Array], float]]:
-        """Event functions: end of profile, reversal of the sprag rotation, ends of the mode."""
+        """Event functions: end of profile, reversal of sprag rotation, end of rolling or slip."""
 
         def over(_: float, y: Array) -> float:
             return float(self.sprag.end - y[3])
@@ -259,8 +259,8 @@ def engage_by_events(
 
     It starts at rest under the energizing springs, except for the given `speeds`. With `unlimited`
     friction, the contacts always roll (assumption of Xu and Liu); `Events.asked` is then the
-    required friction coefficient. `balanced` as in `table`. Raises ArithmeticError if the solver
-    fails or the number of events exceeds EVENTS.
+    required friction coefficient. For `balanced`, see `analytic.sprag.table`. Raises
+    ArithmeticError if the solver fails or the number of events exceeds EVENTS.
     """
     system = System(Sprag(states, n_s, balanced=balanced), motion, torque, unlimited=unlimited)
     t, y, parts, peaks = 0.0, system.rest(speeds or Speeds()), [], []

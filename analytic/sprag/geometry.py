@@ -71,7 +71,7 @@ def triangle(*, OA: ArrayLike, OC_e: ArrayLike, m: ArrayLike) -> Triangle:
 def strut(*, OA: ArrayLike, OB: ArrayLike, beta: ArrayLike) -> tuple[Array, Array]:
     """Angles nu and omega [rad] between the strut AB and OA, OB (Eq. 10).
 
-    >>> nu, omega = strut(OA=1.0, OB=np.sqrt(2), beta=np.pi / 4)  # A under the corner of a square
+    >>> nu, omega = strut(OA=1.0, OB=np.sqrt(2), beta=np.pi / 4)  # right angle at A
     >>> round(float(np.degrees(nu)), 9), round(float(np.degrees(omega)), 9)
     (90.0, 45.0)
     """

@@ -48,7 +48,7 @@ class Engagement:
 
     @property
     def N(self) -> Array:
-        """Normal force [N] of one contact, (steps,)."""
+        """Normal force [N] of one sprag, (steps,)."""
         return np.asarray(self.outputs[:, 0])
 
     @property
@@ -132,8 +132,8 @@ class Engagement:
     def followed(self) -> bool:
         """True if the largest force is a peak or a state of rest: N does not rise at the end.
 
-        An engagement beyond the end of the profile is complete. If the inner race still overruns,
-        the engagement has not begun.
+        It is also True if the sprag has passed the end of its profile, and False if the inner race
+        still overruns.
         """
         N = self.N
         if self.over:

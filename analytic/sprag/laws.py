@@ -54,7 +54,7 @@ def plane_law(
     """Hertz's law of a sprag of radius r on a race of radius R [m], R < 0 in a bore.
 
     Both bodies have the same material, in plane strain. The deflection of each body is taken down
-    to its depth [m].
+    to the given depth [m].
     """
     l = positive(l, "length l", "m")  # noqa: E741
     radius = hertz_line.relative_radius(R_1=r, R_2=R)
@@ -84,8 +84,8 @@ def sliced_law(
 ) -> Law:
     """Law of a contact in slices with the crown `gap` [m], (n,), for loads up to N_max [N].
 
-    R [m] is the relative radius, E_star [Pa] the contact modulus. The law is solved at a number of
-    `loads` between N_max/1e4 and N_max.
+    R [m] is the relative radius, E_star [Pa] the contact modulus. The slices are solved at a
+    number of `loads` between N_max/1e4 and N_max.
     """
     N = positive(N_max, "largest load", "N") * np.geomspace(RANGE, 1.0, loads)
     gap = np.asarray(gap, dtype=np.float64)

@@ -78,7 +78,10 @@ class Torque:
 
 @dataclass(frozen=True, kw_only=True)
 class Speeds:
-    """Initial speeds [rad/s], positive in the driving direction; negative if overrunning."""
+    """Initial speeds [rad/s] of races and sprags, positive in the driving direction.
+
+    The speed of an overrunning inner race is negative.
+    """
 
     inner: float = 0.0
     outer: float = 0.0

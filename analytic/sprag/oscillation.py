@@ -27,7 +27,7 @@ STEP = 0.01  # step over the torque that starts the oscillation
 
 
 def held(motion: Motion, **changes: float) -> Motion:
-    """Motion with a fixed outer race (very large inertia)."""
+    """`motion` with a fixed outer race (very large inertia), and with other `changes`."""
     return replace(motion, I_be=HELD * motion.I_be, **changes)
 
 
@@ -41,7 +41,8 @@ class Oscillation:
     """Oscillation of a clutch with a fixed outer race about its state at rest under T [N m].
 
     f [Hz] and k [N m/rad] are approximate values of frequency and stiffness. They determine only
-    the times and the damping. The equations of `motion` are integrated for the clutch `spring`.
+    durations, time steps and damping. The equations of `motion` are integrated for the clutch
+    `spring`.
     """
 
     spring: RaceSpring

@@ -94,7 +94,7 @@ class SpragClutchParts:
         )  # fmt: skip
 
     def _races(self, ends: Literal["plane stress", "plane strain"]) -> tuple[Array, Array]:
-        """Compliances [m/N] of both races as thin or long rings (Eq. 6)."""
+        """Compliances [m/N] of both races as rings in plane stress or plane strain (Eq. 6)."""
         sprag, P = self.sprag, 1 / np.asarray(self.l)
         inner = race_deflection(
             P=P, n=self.n_s, r_i=self.R_id, r_o=sprag.R_i, E=self.E, nu=self.nu, loaded="rim",
@@ -114,9 +114,9 @@ class SpragClutchParts:
     def plane(self) -> Compliance:
         """Compliance of long bodies (plane strain) with Hertz's line contacts.
 
-        The deflection of the sprag is taken from each contact to half its height. It already
-        contains the compression as a bar; Eq. 7 would count it twice. The races deflect locally
-        down to the depth of their walls, and as rings.
+        The deflection of the sprag is taken from each contact to half the height of the sprag. It
+        already contains the compression as a bar, which Eq. 7 would add a second time. The races
+        deflect locally down to the depth of their walls, and as rings.
         """
         sprag, half = self.sprag, (np.asarray(self.sprag.R_e) - np.asarray(self.sprag.R_i)) / 2
         inner = plane_law(

@@ -1,11 +1,11 @@
-"""Largest pressures of crowns under torques: of the end slice and of all other slices.
+"""Largest pressures of crowned sprags under torques, in the end slice and in all other slices.
 
 The slices of Eqs. 2-5 do not represent the end of a sprag well. Their optimal crown loads the ends.
-There, strips on a half-space have a pressure peak that increases with the number of strips.
-Therefore, a crown for manufacture is evaluated by strips, with unloaded ends. If the contact ends
-inside the sprag, the last strip of the contact is partly unloaded and carries less than the others.
-If the contact reaches the end of the sprag, the last strip carries more, and its load increases
-without limit as strips become narrower.
+At loaded ends, strips on a half-space have a pressure peak that increases with the number of
+strips. Therefore, a crown for manufacture is evaluated by strips, and its ends must be unloaded. If
+the contact ends inside the sprag, the last strip of the contact is partly unloaded and carries less
+than the others. If the contact reaches the end of the sprag, the last strip carries more, and its
+load increases without limit as strips become narrower.
 """
 
 from dataclasses import dataclass
@@ -44,7 +44,8 @@ class Peaks:
     def regimes(self) -> tuple[Array, Array]:
         """Weighted pressure of the end slice, and largest pressure of other slices [Pa], (n, m).
 
-        Both are regimes of a surrogate. Strips do not accept a crown with loaded ends: see END.
+        The surrogate interpolates both separately. For strips, the weight is END, so that crowns
+        with loaded ends are avoided; for slices, it is 1.
         """
         return (END if self.by == "strips" else 1.0) * self.end, self.inside
 

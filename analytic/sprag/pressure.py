@@ -2,9 +2,9 @@ r"""Contact pressure p(y, t) along a sprag during an engagement.
 
 The slices are solved at a few loads, equally spaced in sqrt(N). The peak pressure of each slice is
 interpolated by monotone cubics over sqrt(N). For a slice with a constant share of the load, it is a
-straight line, p ~ sqrt(N). Between two loads, a slice that just begins to carry has an error of up
-to 7 % of the largest pressure; the error of the largest pressure is 0.2 % (41 slices; 0.7 % with
-21).
+straight line, p ~ sqrt(N). Between two loads, a slice that just begins to carry load has an error
+of up to 7 % of the largest pressure. The error of the largest pressure is 0.2 % with 41 slices and
+0.7 % with 21 slices.
 """
 
 import numpy as np

@@ -29,7 +29,7 @@ LONGEST = 60  # times that the largest load is raised
 class Blades:
     """Energizing springs of stiffness `K_r` [N m/rad], unloaded at the sprag rotation `alpha_max`.
 
-    The profile of the sprag ends at this rotation [rad] from first contact.
+    The profile of the sprag ends at the rotation `alpha_max` [rad] from first contact.
     """
 
     K_r: float
@@ -40,7 +40,7 @@ class Blades:
 class RaceSpring:
     """States (n,) of a clutch from no load to `end`, and the rotation theta [rad] of the races.
 
-    `ends` is True if the last state is the end of the profile, and False if only the force ends.
+    `ends` is True if the last state is the end of the profile, and False if the states end before.
     """
 
     blades: Blades

@@ -32,7 +32,7 @@ def hoop(p: SpragClutchParts, N: float, N_e: float) -> dict[str, float]:
 def over_smeared(p: SpragClutchParts, a: float, loaded: Wall) -> float:
     """Ratio of a race deflection under patches of half-width `a` [m] to the deflection by Eq. 6.
 
-    Eq. 6 has a uniform load. Indentation is excluded.
+    Eq. 6 assumes a uniform load. The deflection excludes the indentation.
     """
     R_i, R_e, R_id, R_ed, _ = _radii(p)
     r, ratio = (R_i, R_i / R_id) if loaded == "rim" else (R_e, R_ed / R_e)

@@ -1,4 +1,4 @@
-"""Results of an engagement computed in time: peaks, work, friction, sliding."""
+"""Results of an engagement by time integration: peaks, work, friction, sliding."""
 
 import math
 
@@ -49,7 +49,10 @@ def highest(found: Events) -> tuple[float, float]:
 
 
 def swings(found: Engagement, mu: float) -> float:
-    """Relative difference of mean(N arm) and mean(N) mean(arm), with the lever arm of N."""
+    """Relative difference of mean(N arm) and mean(N) mean(arm), with the lever arm of N.
+
+    Means are over the second half of the time; `mu` is the friction coefficient at the inner race.
+    """
     N, late = found.N, len(found.N) // 2
     at = found.table.at(found.alpha)
     outer = ((at["OA"] + at["b_i"]) * mu - at["h"]) / (at["OB"] - at["b_e"])
@@ -98,9 +101,9 @@ def slid(found: Engagement) -> tuple[float, float]:
 
 
 def steady(found: Engagement) -> tuple[float, float]:
-    """Mean N [N] over the second half of the time; difference to the mean of the middle half.
+    """Mean N [N] over the second half of the time, and its difference from that of the middle half.
 
-    A Hann window reduces the effect of incomplete periods at its ends.
+    A Hann window reduces the effect of incomplete periods at the ends of each half.
     """
     half = len(found.N) // 2
     window = np.hanning(half)

@@ -17,9 +17,9 @@ HALVINGS = 60
 def first_reach(value: Callable[[Array], Array], goal: Array, *, start: Array) -> Array:
     """Smallest N [N] with value(N) = goal; nan if there is none.
 
-    The search takes steps that increase by a constant factor from a fraction of `start`, the
-    initial estimate of N, and ends at the first nan. Bisection on ln N to round-off follows. Where
-    `start` is 0, 0 is returned.
+    The search begins at a fraction of `start`, the initial estimate of N. In each step, the load is
+    increased by a constant factor, until the goal or the first nan is reached. Bisection on ln N to
+    round-off follows. Where `start` is 0, 0 is returned.
     """
     shape = np.broadcast_shapes(np.shape(value(start)), goal.shape)
     start, goal = np.broadcast_to(start, shape), np.broadcast_to(goal, shape)

@@ -1,4 +1,4 @@
-r"""Start of an engagement: only the energizing spring acts on the sprag, without inner drag.
+r"""Start of an engagement: only the energizing spring acts, without friction at the inner race.
 
 With T_i = 0, the tangential equilibrium of Eq. 14 gives
 
@@ -27,9 +27,9 @@ def spring_equilibrium(
     """State in equilibrium with the energizing spring, and the force T_e [N] of the outer race.
 
     K_r [N m/rad] and alpha_max [rad] are the stiffness and the unloaded rotation of the energizing
-    spring. N and the geometry of the state are valid, but not the tangential forces of a wedged
-    strut. Raises ValueError if the spring is already unloaded at first contact, ArithmeticError if
-    no equilibrium exists.
+    spring. N and the geometry of the state are valid. Its tangential forces are those of a wedged
+    strut and are not valid. Raises ValueError if the spring is already unloaded at first contact,
+    ArithmeticError if no equilibrium exists.
     """
     K_r, alpha_max = positive(K_r, "spring K_r", "N m/rad"), np.asarray(alpha_max)
     first = wedged(clutch, 0.0)

@@ -14,7 +14,7 @@ RADIAN = 0.3  # of the fastest motion in one step: Runge-Kutta's error is then b
 
 
 class LongStepError(ArithmeticError):
-    """Error that the energy balance is violated by more than a hundredth of the work done."""
+    """Raised if the error of the energy balance exceeds a hundredth of the work done."""
 
     def __init__(self, *, what: str, dt: float, table: Table, motion: Motion) -> None:
         self.enough = enough(table, motion, dt)
@@ -25,7 +25,7 @@ class LongStepError(ArithmeticError):
 
 
 def enough(table: Table, motion: Motion, dt: float) -> float:
-    """Time step [s] that is sufficient if `dt` [s] was too long, rounded down to one digit."""
+    """Sufficiently short time step [s] if `dt` [s] was too long, rounded down to one digit."""
     return _rounded(min(RADIAN / fastest(table, motion), dt / 2))
 
 

@@ -43,7 +43,8 @@ class Table:
     """Table of a clutch at equal steps of s = sqrt(alpha): `values` and their `slopes` d/ds.
 
     Both have the shape (columns, intervals + 1). The `step` of s is in rad^(1/2). alpha is measured
-    from the first contact. At speed, the first contact is later than at rest by `origin`.
+    from the first contact. In a rotating clutch, the sprag rotation at first contact is larger
+    by `origin` than at standstill.
     """
 
     n_s: int

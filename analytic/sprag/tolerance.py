@@ -56,7 +56,7 @@ def first_contact(sprag: LogSprag, *, dR_i: float = 0.0, dR_e: float = 0.0) -> t
     dR_i and dR_e [m] are the deviations of the radii R_i and R_e.
 
     >>> sprag = LogSprag(R_i=11.11, R_e=19.44, m=0.08490, r_i=4.02)
-    >>> nu, turned = first_contact(sprag, dR_i=-0.02)  # sprag rotates to a smaller race
+    >>> nu, turned = first_contact(sprag, dR_i=-0.02)  # until it touches the smaller race
     >>> bool(turned > 0), bool(abs(nu - sprag.nu_0) < 1e-3)
     (True, True)
     """

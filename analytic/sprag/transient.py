@@ -17,7 +17,7 @@ TRIALS = 20
 
 
 class NarrowBandError(ArithmeticError):
-    """Error that the sliding speed passed the whole sticking band of a contact in one step."""
+    """Raised if the sliding speed of a contact passes the whole sticking band in one step."""
 
     def __init__(self, *, contact: str, t: float, change: float, dt: float, D_V: float) -> None:
         self.change = change

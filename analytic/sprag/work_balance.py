@@ -1,4 +1,4 @@
-"""Results of an engagement from the clutch as a spring between its races, without time steps.
+"""Results of an engagement without time steps: the clutch is a spring between its races.
 
 The work balance needs only statics: without damping and with the outer race fixed, the first peak
 is the state at which the work of the torque equals the energy of the spring. This model and the
@@ -19,7 +19,10 @@ from analytic.sprag.race_spring import RaceSpring
 
 
 def at_rest(w: RaceSpring, T: float) -> float:
-    """Rotation theta [rad] in equilibrium under T [N m]; nan if the profile ends below T."""
+    """Rotation theta [rad] in equilibrium under the torque T [N m].
+
+    The result is nan if T exceeds the torque at the end of the profile.
+    """
     resists = w.resistance()
     if float(resists(w.theta[-1])) < T:
         return math.nan
@@ -30,7 +33,7 @@ def undamped(w: RaceSpring, T: float) -> float:
     """Rotation theta [rad] at the first peak, without damping and with a fixed outer race.
 
     At this rotation, T theta equals the stored energy. The result is nan if the profile ends
-    before.
+    at a smaller rotation.
     """
     work, rest, start = w.resistance().antiderivative(), at_rest(w, T), w.start
 
@@ -48,7 +51,7 @@ def stored(w: RaceSpring, N: float) -> float:
 
 
 def by_turning(w: RaceSpring) -> float:
-    """Work of the torque on the rotation by rolling, divided by that of forces on deflections.
+    """Work of the torque on the rotation by rolling, divided by the work of forces on deflections.
 
     Both works are taken up to the last state.
     """
@@ -94,16 +97,20 @@ def asked(w: RaceSpring, theta: float) -> float:
 
 
 def asked_at_start(w: RaceSpring, T: float, motion: Motion) -> float:
-    """Largest ratio of tangential to normal force that rolling requires at the start, under T."""
+    """Largest ratio of tangential to normal force that rolling requires at the start.
+
+    The inner race is loaded by the torque T [N m].
+    """
     system = System(Sprag(w.states, w.n_s, balanced=False), motion, Torque.step(T), unlimited=True)
     _, tangential, _, N = system.accelerations(0.0, system.rest(Speeds()), (ROLLS, ROLLS))
     return float(np.abs(tangential).max() / N)
 
 
 def passed_on(w: RaceSpring, T: float) -> float:
-    """Relative change of N at the undamped peak per relative change of the torque at all rotations.
+    """Relative change of N at the undamped peak per relative change of the sprags' torque.
 
-    From T theta = work: (T* - T) dtheta = -work dT/T at the rotation and the torque T* of the peak.
+    The sprags' torque changes by the ratio e at all rotations. Its work up to the peak is T theta.
+    If it is T* at the peak, (T* - T) dtheta = -e T theta. The magnitude is returned.
     """
     peak = undamped(w, T)
     if math.isnan(peak):

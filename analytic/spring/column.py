@@ -6,11 +6,11 @@ integrals about the centre of the unit, which are exact for small loads:
 
 .. math:: B = p / a_B, \qquad C = p / a_C, \qquad S = p \,/\, (a_S - p^2 a_B/12)
 
-against a couple, an axial and a lateral force (the bending by a lateral force that is uniform over
-the pitch is not part of the shear compliance). The number of units is constant while the spring
-shortens to :math:`L = L_0 (1 - \xi)`, so that all rigidities decrease in proportion to L. In
-Haringx's theory, the shear force acts along the rotated section. The wave number k of the deflected
-column under the force :math:`P = C \xi` then satisfies
+against a couple, an axial force and a lateral force, respectively. The bending by a lateral force
+that is uniform over the pitch is not part of the shear compliance. The number of units is constant
+while the spring shortens to :math:`L = L_0 (1 - \xi)`, so that all rigidities decrease in
+proportion to L. In Haringx's theory, the shear force acts along the rotated section. The wave
+number k of the deflected column under the force :math:`P = C \xi` then satisfies
 
 .. math::
 

@@ -152,7 +152,10 @@ class Elastica:
     def _solve(
         self, psi: Array, P: Array, columns: tuple[int, ...], rows: tuple[int, ...], moved: Array
     ) -> State:
-        """State by Newton's method for psi and `columns` of P; the tail has `moved` in `rows`."""
+        """State by Newton's method, with the unknowns psi and `columns` of P.
+
+        The displacement of the tail is `moved` in the components `rows`.
+        """
         P = P.copy()
         for _ in range(ITERATIONS):
             equations = self._equations(psi, P)
@@ -189,7 +192,7 @@ class Elastica:
         return Z[:, 1:] @ change - Z[:, 0], change, J
 
     def _equations(self, psi: Array, P: Array) -> tuple[Array, ...]:
-        """Residual (m,), derivatives by psi (m, m) and -P (m, 4), tail (3,) and derivatives.
+        """Residual (m,) with its derivatives by psi and -P; tail (3,) with those by psi and P.
 
         The last value contains the positions of the Gauss points.
         """
@@ -216,7 +219,7 @@ class Elastica:
     def _slopes(self, c: Array, s: Array, F_x: float, F_y: float) -> tuple[Array, Array, Array]:
         """Derivatives (x', y') (2, m) along the line, and their derivatives by psi and by F.
 
-        Shapes (2, m) by psi and (component, force, m) by F.
+        The derivatives by psi have the shape (2, m), those by F the shape (component, force, m).
         """
         a, g = self._stretch, self._shear
         N, V = -(F_x * c + F_y * s), F_x * s - F_y * c
