@@ -1,4 +1,4 @@
-r"""Stiffness of a clutch whose sprags are struts, with forces inclined by nu to the radius (Eq. 3).
+r"""Stiffness of a clutch whose sprags are struts, with forces inclined by nu to the radius.
 
 .. math:: \delta = (\cos\psi - \tan\nu \sin\psi)\, dx + \dots
    = \cos(\psi + \nu)\, dx / \cos\nu + \dots
@@ -36,8 +36,8 @@ def leaning(clutch: SpragCoupling, at: ArrayLike) -> float:
     """Decrease of K_tilt [N m/rad] because the contact points on the race tilt with the race.
 
     It is evaluated at the displacements `at` (5,). If the race rotates by w and a force along e at
-    its point y retains its direction, the additional work is e . w x (w x y)/2: -N R_i cos^2 psi
-    for a tilt about y.
+    its point p retains its direction, the additional work is e . w x (w x p)/2: -N R_i cos^2 psi
+    for a tilt about the y axis.
     """
     N = clutch.forces(at).sum(-1)
     return float(clutch.R_i * N @ np.cos(clutch.psi) ** 2)
@@ -69,8 +69,8 @@ def held_torsional_stiffness(
 
     A strut with the force F = N/cos nu and the stiffness F' = k/cos^2 nu contributes
     F' h^2 - F (R_i R_e cos beta - h^2)/l, with h = R_i sin nu and the length l of the strut,
-    l^2 = R_i^2 + R_e^2 - 2 R_i R_e cos beta. N [N] is the normal force of a sprag, k [N/m] its
-    contact stiffness.
+    l^2 = R_i^2 + R_e^2 - 2 R_i R_e cos beta. beta is the angle at the axis between the ends of a
+    strut, N [N] the normal force of a sprag, k [N/m] its contact stiffness.
 
     Without a force, K_zz is Z k d_t^2 with d_t = R_i tan nu:
 

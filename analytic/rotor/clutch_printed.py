@@ -26,7 +26,7 @@ def radial_force(clutch: SpragCoupling, q: ArrayLike, *, i: int = 0) -> float:
 
 
 def radial_stiffness(clutch: SpragCoupling, q: ArrayLike, *, i: int = 0) -> float:
-    """Radial stiffness dF_r/d delta_r [N/m] of Eq. 10 as printed; it is zero for a uniform clutch.
+    """Radial stiffness dF_r/d delta_r [N/m] as printed; it is zero for a uniform clutch.
 
     >>> from analytic.rotor.clutch import even_angles
     >>> one = SpragCoupling(psi=even_angles(Z=4), R_i=1.0, nu=np.pi / 4, L=1.0, k_n=3.0)

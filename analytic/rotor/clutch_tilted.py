@@ -31,9 +31,10 @@ def aside(offset: float, L: float, delta_0: float) -> tuple[float, float]:
 
 
 def couplings(clutch: SpragCoupling, *, T: float, dx: float, tilt: float) -> dict[str, float]:
-    """Coupling stiffnesses [N] by Eqs. 3 to 11 under T [N m], with the first sprag at half a pitch.
+    """Coupling stiffnesses [N] by Eqs. 3 to 11 under the torque T [N m].
 
-    With four sprags, of which one is at 0 deg, both couplings would be zero.
+    The first sprag is half a pitch from the x axis. With four sprags, of which one is on the x
+    axis, both couplings would be zero.
     """
     turned = replace(clutch, psi=even_angles(Z=clutch.Z, psi_0=math.pi / clutch.Z))
     K = turned.stiffness(under_torque(turned, T=T, offset=(dx, 0, 0, tilt)))

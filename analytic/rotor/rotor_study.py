@@ -90,10 +90,10 @@ def _excited(rotor: TransferMatrixRotor, names: Sequence[str], ratio: float) -> 
 
 
 def opposite_criticals(rotor: TransferMatrixRotor) -> list[float]:
-    """Critical speeds [rad/s] of whirl opposite to the unbalance; empty for anisotropic bearings.
+    """Critical speeds [rad/s] of whirl opposite to the unbalance, for isotropic bearings.
 
-    Unbalance excites them only on anisotropic bearings. In this case, `study` already contains all
-    critical speeds.
+    On isotropic bearings, unbalance does not excite them. For anisotropic bearings, the list is
+    empty, because `study` already contains all critical speeds.
     """
     if not rotor.isotropic:
         return []

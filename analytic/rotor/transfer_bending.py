@@ -73,7 +73,10 @@ class Bending:
 
     @cached_property
     def springs(self) -> Array:
-        """Stiffness matrix (n, n) [N/m] of all bearings, mean of x and y, with n = 2 nodes."""
+        """Stiffness matrix (n, n) [N/m] of all bearings, mean of x and y.
+
+        n is twice the number of nodes.
+        """
         return self._lumped([s.stiffness[0] for s in self.bearings],
                             [s.k_tilt for s in self.bearings]).real  # fmt: skip
 

@@ -114,7 +114,8 @@ class Spring:
 
     F_x = kxx x + kxy y, F_y = kxy x + kyy y. None stands for kyy = kxx or cyy = cxx. `k_tilt` acts
     on theta_x and theta_y, `k_turn` on theta_z. Raises ValueError if a value is negative or not
-    finite, or if kxy^2 > kxx kyy, because the stiffness is then not positive.
+    finite, or if kxy^2 > kxx kyy, because the stiffness matrix then has a negative
+    eigenvalue.
     """
 
     kxx: float

@@ -24,8 +24,8 @@ SAME_SIZE = 1e-9  # relative to the largest: equal unknowns of a symmetric shape
 class TransferModes:
     """Natural frequencies `w` (k,) [rad/s] in ascending order, with whirl senses and mode shapes.
 
-    `whirl` is 1 for forward, -1 for backward and 0 for planar modes. `unknowns` (k, 2n) are (r+,
-    phi+ L) and then (r-, phi- L) of the nodes of `bending`, with r = r+ e^{iwt} + conj(r-)
+    `whirl` is 1 for forward, -1 for backward and 0 for planar modes. `unknowns` (k, 4 * nodes) are
+    (r+, phi+ L) and then (r-, phi- L) of the nodes of `bending`, with r = r+ e^{iwt} + conj(r-)
     e^{-iwt}. `speeds` (k,) [rad/s] are the rotor speeds of the modes.
     """
 
@@ -75,12 +75,13 @@ def transfer_critical_speeds(
     whirl: Whirl | None = None,
     excitation: float = 1.0,
 ) -> TransferModes:
-    """Lowest `count` speeds at which a whirl frequency is `excitation` times the speed.
+    """Lowest `count` rotor speeds at which a whirl frequency is `excitation` times the rotor speed.
 
-    Unbalance of a shaft with speed ratio q excites with |q|, forward if q > 0. With `whirl` = None,
-    both senses are included; a single sense requires isotropic bearings. Fewer than `count` speeds
-    may exist, because gyroscopic stiffening limits the number of forward critical speeds. Raises
-    ValueError if the excitation is zero or not finite, count < 1 or the rotor is unsupported.
+    Unbalance of a shaft with speed ratio q has the excitation |q|, forward if q > 0. With `whirl` =
+    None, both senses are included; a single sense requires isotropic bearings. Fewer than `count`
+    speeds may exist, because gyroscopic stiffening limits the number of forward critical speeds.
+    Raises ValueError if the excitation is zero or not finite, count < 1 or the rotor is
+    unsupported.
     """
     if not (np.isfinite(excitation) and excitation != 0):
         raise ValueError(f"the excitation must be finite and not 0, got {excitation:g}")
@@ -135,7 +136,7 @@ class _Search:
 
 
 def _guess(rotor: TransferMatrixRotor) -> float:
-    """Rough lowest frequency [rad/s]: rigid rotor on its supports, or bending if that is lower."""
+    """Estimated lowest frequency [rad/s]: rigid rotor on its supports, or bending if lower."""
     k = sum(s.stiffness[0] for s in rotor.supports)
     m = sum(d.mass for d in rotor.discs)
     m += sum(s.rho * s.A * s.length for shaft in rotor.shafts for s in shaft.segments)

@@ -18,7 +18,7 @@ Array = NDArray[np.float64]
 class TransferResponse:
     """Response of a rotor to unbalance at the rotor speeds `speeds` [rad/s].
 
-    The excitation rotates at `w` >= 0 [rad/s]. `unknowns` (speeds, 4 nodes) are (r+, phi+ L) and
+    The excitation rotates at `w` >= 0 [rad/s]. `unknowns` (speeds, 4 * nodes) are (r+, phi+ L) and
     then (r-, phi- L), with r = r+ e^{iwt} + conj(r-) e^{-iwt}.
     """
 
@@ -100,7 +100,7 @@ unbalance_response = transfer_unbalance_response  # its name in version 0.1
 
 
 def _solved(bending: Bending, w: Array, Omega: Array, force: Complex) -> Complex:
-    """Unknowns (speeds, 4 nodes); on isotropic bearings, each whirl sense is solved separately."""
+    """Unknowns (speeds, 4 * nodes); on isotropic bearings, each whirl sense separately."""
     if not bending.rotor.isotropic:
         D = bending.coupled(w, Omega, damped=True)
         return np.asarray(np.linalg.solve(D, force[..., None])[..., 0])

@@ -20,7 +20,7 @@ TOLERANCE = 1e-13
 
 
 def count_below(D: Matrices) -> NDArray[np.int64]:
-    """Number of roots below the frequencies of the given stiffness matrices D (m, n, n)."""
+    """Number of roots below each frequency at which a matrix D (m, n, n) was evaluated."""
     found: NDArray[np.int64] = (np.linalg.eigvalsh(D) < 0).sum(axis=-1)
     return found
 

@@ -34,7 +34,7 @@ def check_supported(rotor: TransferMatrixRotor, names: tuple[str, ...] = ()) -> 
 def rigid_stiffness(rotor: TransferMatrixRotor) -> NDArray[np.float64]:
     """Stiffness matrix of rigid shaft motions: translation and tilt about the middle, in x and y.
 
-    A tilt is measured by its displacement at half the length of the shaft.
+    A tilt is measured by its displacement at the end of the shaft.
     """
     lengths = [sum(s.length for s in shaft.segments) for shaft in rotor.shafts]
     motions = np.zeros((rotor.stations, 4, 4 * len(rotor.shafts)))  # x, y, theta_y, -theta_x

@@ -114,7 +114,7 @@ def ends(column: Column, *, turned: float, alpha_b: float, a: Pair, nu: float) -
 
 
 def shift(at: Triangle, ends: Ends, *, column: Column, a: Pair, P: float, races: Pair) -> Shift:
-    """Change of the angle between both contacts of a sprag under P = N/(l E') [length].
+    """Relative change of the angle between both contacts of a sprag under P = N/(l E') [length].
 
     `races` [length] are the lateral displacements of the inner race towards the side of A and of
     the outer race away from this side. Both values are positive.

@@ -52,7 +52,11 @@ def answers(peaks: Peaks, torque: int = 0) -> list[Answer]:
 
 
 def fit_regimes(x: Array, known: Sequence[Answer], box: Box) -> "Largest":
-    """Kriging surrogates of the pressure of the end slice, if loaded, and of the other slices."""
+    """Kriging surrogates of the pressure of the end slice and of the largest other pressure.
+
+    That of the end slice is fitted to crowns with loaded ends only. If these are too few, one
+    surrogate is fitted to the larger of both pressures.
+    """
     from analytic.surrogate.largest import fit_largest
 
     end, inside = (np.array([getattr(a, name) for a in known]) for name in ("end", "inside"))
@@ -61,7 +65,7 @@ def fit_regimes(x: Array, known: Sequence[Answer], box: Box) -> "Largest":
         return fit_largest(
             x, [end, inside], box, power=POWER, present=[carries, np.ones_like(carries)]
         )
-    except ValueError:  # too few designs whose ends carry: of all
+    except ValueError:  # too few designs with loaded ends
         return fit_largest(x, [np.maximum(end, inside)], box, power=POWER)
 
 
@@ -110,7 +114,7 @@ def recorded(
 
 
 def simplex(true: Callable[[Array], float], box: Box, start: Array) -> Array:
-    """Evaluations of the true model by Nelder and Mead's simplex method from a crown (3,).
+    """Evaluations of the true model by Nelder and Mead's simplex method from `start` (3,).
 
     At most `DIRECT` engagements are computed. The rows (n, 4) contain K_1, K_2, z_m and the
     pressure [Pa].

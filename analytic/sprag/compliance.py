@@ -22,7 +22,7 @@ from analytic.sprag.laws import Law
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Yields:
-    """Deflections of contacts, races and sprag under N, growth d_ce of the bore by rotation [m].
+    """Deflections of contacts, races and sprag under N, and growth d_ce of the rotating bore [m].
 
     The paper denotes them by HI, HE (contacts), BI, BE (races) and g (sprag).
     """

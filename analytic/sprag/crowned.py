@@ -51,7 +51,7 @@ class Crowned:
         return float(inner.peak_pressure.max()), float(outer.peak_pressure.max())
 
     def torque_at(self, pressure: float, contact: int) -> float:
-        """Torque [N m] at which the peak of the inner (0) or outer (1) contact is `pressure`.
+        """Torque [N m] at which the peak pressure of contact 0 (inner) or 1 (outer) is `pressure`.
 
         The result is infinite if the pressure is not reached up to `N_top`.
         """

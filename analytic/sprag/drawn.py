@@ -24,7 +24,7 @@ FAR = 6.0  # rad, more than any sprag turns
 
 
 def middles(length: float, n: int) -> Array:
-    """Positions [m] of the centres of n equal parts of a length, from its middle.
+    """Positions [m] of the centres of n equal parts of a length, relative to its middle.
 
     >>> middles(3.0, 3).tolist()
     [-1.0, 0.0, 1.0]

@@ -54,7 +54,10 @@ F = TypeVar("F", bound=Callable[..., Any])
 
 
 def compiled(function: F) -> F:
-    """`function` compiled to machine code with exact order of operations, stored on disk."""
+    """`function` compiled to machine code, which is stored on disk.
+
+    The order of floating-point operations is retained.
+    """
     try:
         return cast(F, njit(cache=True, fastmath=False)(function))
     except RuntimeError:  # no folder can be written: compiled again in every run
@@ -240,7 +243,7 @@ def phase(N: float, v: float, T: float, most: float, D_V: float) -> int:
 
 @compiled
 def rates(y: Array, C: float, law: Law, dy: Array, outputs: Array) -> None:
-    """Write the rates of the state `y` to `dy`, and forces, sliding and phases to `outputs`.
+    """Write the rates of the state `y` to `dy`, and forces, sliding speeds, phases to `outputs`.
 
     C is the torque.
     """
@@ -292,7 +295,7 @@ def run(
     y: Array, dt: float, law: Law, guard: bool, times: Array, torques: Array,
     states: Array, outputs: Array, seen: Array,
 ) -> tuple[int, int, int]:  # fmt: skip
-    """Write `states` and `outputs` at each step; return reason, step and contact of the end.
+    """Write `states` and `outputs` of each step; return the cause of the end, step and contact.
 
     If a contact passes the sticking band in a step, the outputs before and after this step are
     written to `seen`.

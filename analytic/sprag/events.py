@@ -102,7 +102,10 @@ class Sprag:
 
 
 class System:
-    """Equations of motion in a given mode; with `unlimited` friction, contacts always roll."""
+    """Equations of motion for a given mode: which contacts roll, and which slide.
+
+    With `unlimited` friction, contacts always roll.
+    """
 
     def __init__(self, sprag: Sprag, motion: Motion, torque: Torque, *, unlimited: bool) -> None:
         self.sprag, self.motion, self.torque, self.unlimited = sprag, motion, torque, unlimited
@@ -214,7 +217,7 @@ class System:
         return min(doubts)[1]
 
     def grip(self, t: float, y: Array, mode: Mode, k: int) -> float:
-        """Reserve of static friction [N] at contact k."""
+        """Margin mu_s N - |T| [N] of static friction at contact k."""
         _, T, _, N = self.accelerations(t, y, mode)
         return float(self.motion.mu_s * N - abs(T[k]))
 
@@ -223,7 +226,7 @@ class System:
         return float(mode[k] * (self.sliding(self.sprag.at(y[3])[0]) @ y[4:])[k])
 
     def ends(self, mode: Mode) -> list[Callable[[float, Array], float]]:
-        """Event functions: end of profile, reversal of sprag rotation, end of rolling or slip."""
+        """Event functions: end of profile, reversal of the sprag, end of rolling or sliding."""
 
         def over(_: float, y: Array) -> float:
             return float(self.sprag.end - y[3])

@@ -65,9 +65,10 @@ def slips(state: Wedged, *, mu: ArrayLike) -> NDArray[np.bool_]:
 
 
 def pressures(parts: SpragClutchParts, state: Wedged) -> tuple[Array, Array]:
-    """Hertz's peak pressures p_i, p_o [Pa] of a uniform load, with the radius of the spiral at A.
+    """Hertz's peak pressures p_i, p_o [Pa] of uniform loads, with the radius of the spiral at A.
 
-    Each contact is evaluated under its normal force. Crowns increase the pressure in the middle.
+    Loads are uniform along the sprag. Each contact is evaluated under its normal force. Crowns
+    increase the pressure in the middle.
     """
     l, r_i = np.asarray(parts.l), state.rho * np.hypot(1, parts.sprag.m)  # noqa: E741
     inner = 1 / (1 / r_i + 1 / np.asarray(parts.sprag.R_i))

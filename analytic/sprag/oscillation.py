@@ -32,7 +32,7 @@ def held(motion: Motion, **changes: float) -> Motion:
 
 
 def strut_table(spring: RaceSpring) -> Table:
-    """Table of the clutch in which N_e/N_i is that of a two-force strut instead of 1."""
+    """Table of the clutch, with N_e/N_i of a two-force strut instead of 1."""
     return tabulated(spring.clutch, N_end=spring.end, balanced=True)
 
 
@@ -57,7 +57,7 @@ class Oscillation:
         return self._run(Torque.step(self.T), until, dt)
 
     def strut(self, dt: float) -> "Engagement":
-        """Engagement under a torque step in which N_e/N_i is that of a two-force strut, not 1."""
+        """Engagement under a torque step, with N_e/N_i of a two-force strut instead of 1."""
         return self._run(Torque.step(self.T), SWUNG / self.f, dt, strut_table(self.spring))
 
     def settled(self, refine: int) -> float:

@@ -21,7 +21,7 @@ from analytic.sprag.search import first_reach
 
 
 def wedged(clutch: SpragClutch, N: ArrayLike) -> Wedged:
-    """State under N [N].
+    """State under the normal force N [N], by Eqs. 9 and 10 as printed.
 
     OA of Eq. 9 is a side of the triangle of Eq. 10; OC_e includes delta_ce.
     """

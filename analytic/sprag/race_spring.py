@@ -76,7 +76,7 @@ class RaceSpring:
         return CubicSpline(self.theta, self.states.N)
 
     def resistance(self) -> CubicSpline:
-        """Spline of the sprags' torque [N m] over theta [rad], without energizing springs."""
+        """Spline over theta [rad] of the torque [N m] of sprags minus that of energizing springs."""
         return CubicSpline(self.theta, self.states.T - self.pushed)
 
     @cached_property
@@ -121,7 +121,7 @@ def reached(
 
 
 def _sprung(blades: Blades, n_s: int, alpha: Array) -> float:
-    """Work [J] of the energizing springs from the first to the last rotation."""
+    """Work [J] of the energizing springs from the first to the last rotation in `alpha`."""
     left = blades.alpha_max - alpha
     return float(n_s * blades.K_r * (left[0] ** 2 - left[-1] ** 2) / 2)
 

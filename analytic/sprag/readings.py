@@ -115,7 +115,7 @@ def steady(found: Engagement) -> tuple[float, float]:
 
 
 def first_slip(found: Engagement, mu: float) -> float:
-    """Time [s] at which T/N of the inner contact first reaches the friction `mu` and slip begins.
+    """Time [s] at which T/N of the inner contact first reaches `mu`, so that slip begins.
 
     The time is extrapolated linearly from the two previous steps.
     """

@@ -33,7 +33,7 @@ def sliding(w: RaceSpring, mu: float) -> Sliding:
     """Steady state with the friction `mu` at the sliding contact; mu < 0 if the race overruns.
 
     The contact slides whose friction force would otherwise exceed mu N. If this applies to both
-    contacts (|mu| below h/2 over OC_g), no such state exists, and N is nan.
+    contacts (|mu| below h/(2 OC_g)), no such state exists, and N is nan.
     """
     blades, now = w.blades, w.states
     h = now.h_i - now.h_e

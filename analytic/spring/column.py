@@ -117,7 +117,7 @@ def critical_shortening(
 ) -> Array:  # fmt: skip
     r"""Relative shortening :math:`\xi = U_{cr}/L_0` at lateral buckling; NaN without buckling.
 
-    L_0 is the distance between the leaves of head and tail along the axis, on the centre line. The
+    L_0 is the distance along the axis between the centre lines of the leaves of head and tail. The
     thickness has only a small effect, by axial force and shear.
 
     >>> shape = dict(L1=11.6, radius=0.5, alpha=math.radians(80), b=0.1)

@@ -136,7 +136,7 @@ class Elastica:
         return self._solve(near.psi, P, (TURN,), (0,), np.zeros(3))
 
     def linear_load(self) -> float:
-        r"""Buckling force along x of a spring with a free head, neglecting prior deformation.
+        r"""Buckling force along x of a spring with a free head, without prior deformation.
 
         1/F is the largest eigenvalue of :math:`\psi = F (1 w S - S S)\, c\, \psi/EI`, where psi is
         zero at the tail and c is the cosine of the angle of the centre line. Axial and shear
