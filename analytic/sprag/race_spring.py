@@ -76,7 +76,10 @@ class RaceSpring:
         return CubicSpline(self.theta, self.states.N)
 
     def resistance(self) -> CubicSpline:
-        """Spline over theta [rad] of the torque [N m] of sprags minus that of energizing springs."""
+        """Spline over the rotation theta [rad] of the sprags' torque T [N m].
+
+        The torque of the energizing springs is subtracted from T.
+        """
         return CubicSpline(self.theta, self.states.T - self.pushed)
 
     @cached_property

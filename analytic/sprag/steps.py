@@ -14,7 +14,11 @@ RADIAN = 0.3  # of the fastest motion in one step: Runge-Kutta's error is then b
 
 
 class LongStepError(ArithmeticError):
-    """Raised if the error of the energy balance exceeds a hundredth of the work done."""
+    """Raised if the time step is too long.
+
+    Then, the error of the energy balance exceeds a hundredth of the work done, the motion diverges,
+    or no sticking band is wide enough.
+    """
 
     def __init__(self, *, what: str, dt: float, table: Table, motion: Motion) -> None:
         self.enough = enough(table, motion, dt)

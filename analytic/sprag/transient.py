@@ -24,8 +24,8 @@ class NarrowBandError(ArithmeticError):
         super().__init__(
             f"the band of sticking is too narrow: at t={t:.6g} s the {contact} contact's sliding "
             f"speed changes by {change:.4g} m/s in one step ({change / dt:.4g} m/s² x dt={dt:g} s) "
-            f"and passes D_V={D_V:g} m/s unseen, so that the sprag would slide on; take D_V above "
-            f"{change:.2g} m/s, or dt below {dt * D_V / change:.2g} s"
+            f"and passes the band of D_V={D_V:g} m/s, so that the sprag would not stick; take D_V "
+            f"above {change:.2g} m/s, or dt below {dt * D_V / change:.2g} s"
         )
 
 
@@ -45,8 +45,8 @@ def engage(
     `D_V` [m/s] is the half-width of the band of sliding speed in which a contact may stick. With
     None, it is twice the change of the sliding speed of the inner contact in one step from rest; if
     the guard rejects a step, it is at least twice the change in this step. Raises NarrowBandError
-    (an ArithmeticError) if a given band is too narrow, LongStepError if the error of the energy
-    balance exceeds a hundredth of the work done, and ValueError for invalid inputs. Without
+    (an ArithmeticError) if a given band is too narrow, LongStepError if the time step is too
+    long, and ValueError for invalid inputs. Without
     `guard`, the wrong result is returned without these errors.
     """
     positive(duration, "duration", "s")
@@ -62,7 +62,7 @@ def engage(
             return _engage(table, motion, torque, start, duration, dt, D_V, True)
         except NarrowBandError as narrow:
             D_V = max(WIDER * narrow.change, WIDER * D_V)
-    what = f"no band of sticking was wide enough, D_V={D_V:g} m/s is not"
+    what = f"the band of sticking is too narrow even with D_V={D_V:g} m/s"
     raise LongStepError(what=what, dt=dt, table=table, motion=motion)
 
 

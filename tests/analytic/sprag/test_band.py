@@ -29,7 +29,7 @@ def test_the_guard_refuses_it_and_states_a_sufficient_step(engaged):
     message, change = str(refused.value), refused.value.change
     assert "\n" not in message
     assert f"{change:.4g} m/s in one step ({change / 1e-5:.4g} m/s² x dt=1e-05 s)" in message
-    assert "passes D_V=0.001 m/s unseen" in message
+    assert "passes the band of D_V=0.001 m/s" in message
     right = engaged(40.0, **LIGHT)
     wide = engaged(40.0, **LIGHT, D_V=2.0 * change)
     assert wide.N_max == pytest.approx(right.N_max, rel=1e-4)
