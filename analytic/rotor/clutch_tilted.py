@@ -1,9 +1,10 @@
 """Clutch with simultaneous offset and tilt: coupling of lateral forces with tilts.
 
-The offset is twice as large at one end of the sprags and zero at the other end. Therefore, the load
-is non-uniform both around the circumference and along the sprags. Eq. 7 then couples a force along
-y with a tilt about x, and a force along x with a tilt about y. A uniform load, or a load that
-varies only around the circumference, causes no such coupling.
+Due to the tilt, the offset at one end of the sprags is twice as large as in the middle, and zero at
+the other end. Therefore, the load is non-uniform both around the circumference and along the
+sprags. Eq. 7 then couples a force along y with a tilt about x, and a force along x with a tilt
+about y. A uniform load, or a load that varies only around the circumference, causes no such
+coupling.
 """
 
 import math

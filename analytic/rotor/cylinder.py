@@ -11,8 +11,9 @@ and the problem is one-dimensional. U, V and W are polynomials whose coefficient
     \int \sigma:\varepsilon + \rho\,[2wW(U^2+V^2+2UV+W^2) - w^2(U^2+V^2+W^2)]\,r\,dr
 
 stationary; W in front of the bracket is the rotational speed. The solutions are smooth: each
-further power adds at least one digit. Terms with the square of the speed and the stiffening by
-centrifugal stress are neglected; both cancel where a section rotates like a rigid body.
+additional power adds at least one correct digit. Terms with the square of the speed and the
+stiffening by centrifugal stress are neglected; they cancel each other where a section rotates like
+a rigid body.
 
 References
 ----------

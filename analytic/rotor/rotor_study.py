@@ -40,7 +40,7 @@ class Excited:
 
 @dataclass(frozen=True)
 class Study:
-    """Transfer-matrix results of a rotor."""
+    """Transfer-matrix results of a rotor, returned by `study`."""
 
     modes: TransferModes
     excited: tuple[Excited, ...]

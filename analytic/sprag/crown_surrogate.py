@@ -97,7 +97,7 @@ def over_box(surrogate: "Largest", box: Box) -> Array:
 
 
 def axes(box: Box) -> list[Array]:
-    """Values of each of the three parameters at which the surrogate is evaluated."""
+    """Values of K_1, K_2 and z_m at which the surrogate is evaluated."""
     return [np.linspace(a, b, n) for a, b, n in zip(box.low, box.high, FINE, strict=True)]
 
 

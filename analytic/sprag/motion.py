@@ -62,7 +62,7 @@ class Torque:
 
     @classmethod
     def step(cls, torque: float, *, t_ramp: float = 0.0) -> "Torque":
-        """Constant `torque` [N m] from the start on, or after a linear rise over `t_ramp` [s].
+        """Constant `torque` [N m] after a linear rise from 0 over `t_ramp` [s].
 
         >>> Torque.step(25.0, t_ramp=0.1).at([0.05, 1.0]).tolist()
         [12.5, 25.0]

@@ -1,7 +1,7 @@
 """Oscillations of a sprag clutch about its state at rest, by time steps.
 
-They include slow load rises, free oscillations and first peaks. Compiled code is imported when it
-is used.
+The methods compute slow load rises, free oscillations and first peaks. Compiled code is imported
+only when it is used.
 """
 
 import math

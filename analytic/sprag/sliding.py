@@ -7,8 +7,8 @@ T_i = mu N:
     N = K_r (alpha_max - alpha) / (h - b_i mu - b_e [(OA + b_i) mu - h]/(OB - b_e)).
 
 N increases without limit as mu approaches the required friction coefficient at rest. If the race
-overruns, the required friction of the outer contact is larger: it slides with T_e = -mu N, and the
-sprags rotate with the inner race.
+overruns, the outer contact requires more friction than the inner contact. Therefore, the outer
+contact slides with T_e = -mu N, and the sprags rotate with the inner race.
 """
 
 import math
