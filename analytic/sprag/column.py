@@ -156,7 +156,7 @@ class Column:
 def _ends(
     leftwards: Callable[[Array], Array], middle: float, b: float
 ) -> tuple[Array, Array] | None:
-    """Angles at which the curve is b/2 right and left of the middle line; None if it is narrower."""
+    """Angles at which the curve is b/2 right and left of the middle line; None if narrower."""
     low, high = middle - STEEPEST, middle + STEEPEST
     if not leftwards(np.array(high)) < -b / 2 < b / 2 < leftwards(np.array(low)):
         return None

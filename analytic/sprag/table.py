@@ -4,9 +4,9 @@ The closure equations give all quantities explicitly as functions of N. An engag
 functions of alpha, four times per step. The table has equal intervals of s = sqrt(alpha) from the
 first contact (alpha = 0, N = 0) to the largest alpha. It contains the value and the slope d/ds of
 each column. Between the points, columns are interpolated by cubic Hermite polynomials with
-continuous slope. An engagement begins at a ten-thousandth of the final alpha, under a few newtons of the
-energizing springs, and the range near this alpha determines if the sprag slips. Equal intervals of
-alpha would be too coarse there.
+continuous slope. An engagement begins at a ten-thousandth of the final alpha, under a few newtons
+of the energizing springs, and the range near this alpha determines if the sprag slips. Equal
+intervals of alpha would be too coarse there.
 
 The columns are those of the equations of motion,
 
