@@ -34,7 +34,7 @@ class FemResult:
 class Context:
     """Data for a check.
 
-    `fem` contains the levels from coarse to fine; it is empty if they were not run.
+    `fem` contains the levels from coarse to fine; it is empty if no level was computed.
     """
 
     case: str
@@ -54,7 +54,7 @@ class Context:
 
 
 class Check(Protocol):
-    """One claim of a case; `rows` judges the claim (see `verify.judging.checks`)."""
+    """One claim of a case; `rows` returns the judged rows (see `verify.judging.checks`)."""
 
     @property
     def paper_only(self) -> bool: ...
@@ -87,7 +87,7 @@ class Output:
 
     @property
     def label(self) -> str:
-        """Text of the value; a formula as printed is marked, if it differs from the corrected."""
+        """Name of the value, with the addition "as printed" if `form` is "as printed"."""
         return f"{self.what}, as printed" if self.form == "as printed" else self.what
 
 
@@ -113,7 +113,7 @@ class Dynamic:
 
 @dataclass(frozen=True, kw_only=True)
 class Portion:
-    """Some finite-element values of a case, solved in less time than all; for sweeps of few rows.
+    """Some finite-element values of a case, computed faster than all; for sweeps of few rows.
 
     `fem(inputs, level)` returns the values `keys`, which are equal to those of `fem` of the case on
     the same mesh. `levels` are at least three levels, from coarse to fine.

@@ -12,9 +12,9 @@ _RAISED = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 
 
 def verdict_lines(report: Report) -> list[str]:
-    """Numbers of rows by case and status as a table; reasons of the rows that did not pass.
+    """Table of the numbers of rows by case and status, and reasons of the rows that did not pass.
 
-    Each reason is stated once for a case.
+    Each reason is stated once per case.
     """
     head = ("case", "rows", *(s.value for s in Status))
     lines = [head]

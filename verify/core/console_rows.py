@@ -84,7 +84,7 @@ def _counted(rows: Sequence[Row], what: str) -> str:
 
 
 def _unjudged(rows: Sequence[Row]) -> list[str]:
-    """Sentence with the rows that were not judged, by status, with the largest difference first."""
+    """Sentence with the rows that were not judged: by status, then by decreasing difference."""
     parts = []
     for status in UNJUDGED:
         group = sorted((row for row in rows if row.status is status), key=size, reverse=True)

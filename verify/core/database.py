@@ -85,7 +85,7 @@ class Database:
             return database
 
     def _unwritten(self) -> sqlite3.Connection | None:
-        """Connection that writes nothing, not even lock files; None if that is impossible."""
+        """Connection that writes nothing, not even lock files; None if this is impossible."""
         log = self.path.with_name(f"{self.path.name}-wal")
         # without a lock another process could change the file: only where it has nothing to add
         is_whole = not log.exists() or log.stat().st_size == 0
@@ -139,8 +139,8 @@ def _closed(database: sqlite3.Connection) -> Iterator[sqlite3.Connection]:
 def _write_ahead(database: sqlite3.Connection, patience: float) -> None:
     """Set the mode in which readers and a writer can work at the same time.
 
-    If two processes create a file at the same time, SQLite does not wait; therefore, this function
-    tries again.
+    If two processes create a file at the same time, SQLite fails without waiting; therefore, this
+    function tries again until `patience` seconds have passed.
     """
     end = time.monotonic() + patience
     while True:

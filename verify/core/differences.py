@@ -125,7 +125,7 @@ def offset(row: Row) -> float | None:
 
 
 def _scale_name(row: Row) -> str:
-    """Name of the scale of the row; empty if the scale is the compared value."""
+    """Name of the scale of the row; empty if the scale is the magnitude of the formula."""
     itself = row.analytic is not None and row.scale == abs(row.analytic)
     return "" if itself and row.kind in COMPARED and row.reference else row.scale_name
 
@@ -142,7 +142,7 @@ def _shown(fraction: float, found: Difference) -> float:
 
 
 def _digits(numbers: list[float]) -> int:
-    """Smallest number of digits with which the rounded numbers are in the same order."""
+    """Smallest number of significant digits that keeps the order of the numbers (`_order`)."""
     exact = _order(numbers)
     for digits in range(FEWEST, MOST):
         if _order([float(f"{x:.{digits}g}") for x in numbers]) == exact:
@@ -151,7 +151,10 @@ def _digits(numbers: list[float]) -> int:
 
 
 def _order(numbers: list[float]) -> tuple[bool, ...]:
-    """Whether the first number is between the others, and whether the others differ."""
+    """Whether value >= low, value <= high and low < high, for `numbers` = value, low, high.
+
+    The result is empty for a single number.
+    """
     if len(numbers) == 1:
         return ()
     value, low, high = numbers

@@ -52,7 +52,7 @@ def one_fem(
 ) -> tuple[Array, Array]:
     """N_max [N], (m,), and pressures [Pa], (m, slices), with the crown of `q`.
 
-    Raises NoLockError if an engagement does not lock, other errors if no engagement is found.
+    Raises NoLockError if an engagement does not lock, another error if it has no solution.
     """
     one = built(q)
     N, R = np.array([_peak_fem(q.model_copy(update={"T": float(T)})) for T in torques]).T
@@ -64,7 +64,7 @@ def one_fem(
 
 @lru_cache(maxsize=ENGAGED)
 def _peak_fem(q: EngagementInputs) -> tuple[float, float]:
-    """N_max [N] and the inner contact's relative radius [m] under it."""
+    """N_max [N], and the relative radius [m] of the inner contact under this force."""
     one = built(q)
     run = engaged_fem(one, q, AHEAD * q.T / (q.z * q.R_i * math.tan(q.nu_0)))
     verdict = run.engagement.verdict

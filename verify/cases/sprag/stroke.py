@@ -65,7 +65,7 @@ def at_force(q: WedgeInputs, P: float) -> Start[Place]:
         start = start.turned(start.place.alpha * share**0.9)
     raise NotFoundError(
         f"no sprag rotation was found that gives the force {P:.4g} N/m: this force differs by "
-        f"{share - 1:.1%} from that of the last iterate"
+        f"{share - 1:.1%} from the force of the last iterate"
     )
 
 

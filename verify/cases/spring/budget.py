@@ -44,7 +44,7 @@ def long_leaf(q: Any) -> Any:
 
 
 def fem_small(q: MapInputs, level: int) -> FemResult:
-    """Forces of the guided spring, as multiples of the force at a very small displacement."""
+    """Forces of the guided spring, extrapolated in proportion from a very small displacement."""
     from verify.cases.spring.map.fem import spring
 
     here = Cell(q.n, q.b, q.r, q.L1, q.alpha)
@@ -53,7 +53,7 @@ def fem_small(q: MapInputs, level: int) -> FemResult:
 
 
 def fem_free(q: MapInputs, level: int) -> FemResult:
-    """Forces of the spring with a free head: initial stiffness times each displacement."""
+    """Forces of the spring with a free head: its initial stiffness times each displacement."""
     from verify.cases.spring.map.fem import spring
 
     here = Cell(q.n, q.b, q.r, q.L1, q.alpha)
@@ -62,7 +62,7 @@ def fem_free(q: MapInputs, level: int) -> FemResult:
 
 
 def fem_paper(q: MapInputs, level: int) -> FemResult:
-    """Forces of the spring with the paper's lengths, whose arcs have the inner radius."""
+    """Forces of a spring whose arcs have the inner radius: initial stiffness times displacement."""
     from verify.cases.spring.large_fem import spring_fem
 
     path = q.paper_path | {"tail": "arc"}
@@ -73,7 +73,7 @@ def fem_paper(q: MapInputs, level: int) -> FemResult:
 def proportional(level: int, force: float, share: float) -> FemResult:
     """Forces at the displacements of the case, proportional to `force` at the displacement `share`.
 
-    Displacements are given as shares of the length.
+    Displacements are divided by the free length.
     """
     values = {f"F_{target}": target / share * force for target in map(Share, SHARES)}
     return FemResult(h=1 / level, values=values)

@@ -1,6 +1,6 @@
 """Accordion spring before its leaves touch: Eqs. 1-9 of Wang et al. 2023 and the true centre line.
 
-Formulas, warnings and sketch are common to all cases of the free stage.
+The cases of the free stage share these formulas, warnings and sketch.
 """
 
 from collections.abc import Iterator

@@ -1,4 +1,4 @@
-"""Common to spring cases: ratios in names of quantities, and a limit for slender strips."""
+"""Ratios in names of quantities, and limit of slenderness, for all cases of springs."""
 
 from verify.cases.spring.inputs import SpringInputs
 
@@ -15,7 +15,8 @@ class Share(float):
 def too_slender(q: SpringInputs) -> str:
     """Reason why the strip is too slender for finite elements; empty if it is not.
 
-    Elements of a very slender frame bend by less than the round-off error of its movement.
+    The bending of an element of a very slender frame is less than the round-off error of its
+    displacement.
     """
     slender = q.n * (q.leaf + 2 * q.R * q.alpha) / q.b
     if slender <= MOST_SLENDER:

@@ -1,4 +1,4 @@
-"""Table 2 of the paper: consistency of its numbers, and its pressures against this clutch."""
+"""Checks of Table 2 of the paper: consistency of its numbers, and pressures of random crowns."""
 
 import math
 from dataclasses import dataclass
@@ -46,7 +46,7 @@ def standardised(row: int) -> float:
 
 @dataclass(frozen=True, kw_only=True)
 class Recomputed(PrintedClaim):
-    """Row that compares the error of two printed values with the printed error `reference`."""
+    """Row that compares an error, computed from two printed pressures, with the printed error."""
 
     kind = Kind.IDENTITY
 
@@ -78,7 +78,7 @@ def cut_off(_context: Context) -> tuple[float, float, str]:
 
 
 def too_small(_context: Context) -> tuple[float, float, str]:
-    """Mean square of the kriging errors minus SURE² times the mean printed MSE [Pa²].
+    """Mean squared difference of actual and predicted values minus SURE² times the mean MSE [Pa²].
 
     The uncertainty and the text of the row are also returned.
     """
@@ -110,9 +110,10 @@ def is_a_sample(_context: Context) -> tuple[float, float, str]:
 
 
 def between(column: str) -> Margin:
-    """Function that computes the margin [Pa] by which a column lies in the ranges of Eq. 19.
+    """Function that returns a margin [Pa]: positive if the values of a column belong to 25 N m.
 
-    All values must lie inside the range at 25 N m and below the range at 40 N m.
+    The pressures of random crowns within Eq. 19 have a range at each torque. All values must lie
+    inside the range at 25 N m and below the range at 40 N m.
     """
 
     def margin(context: Context) -> tuple[float, float, str]:
@@ -137,7 +138,10 @@ MEDIAN = 3032.6e6  # Pa, of the ten actual values
 
 
 def demanded(row: int) -> dict[str, Any]:
-    """Keyword arguments that lower the required sensitivity if a printed error has few digits."""
+    """Keyword arguments of a row whose printed error has few digits; otherwise empty.
+
+    They state that the row needs to detect only a larger change than usual.
+    """
     entry = published(f"huang2018:table2-row{row}-error")
     asked = (judge.COVERAGE / math.sqrt(3) + 1) * half_last_digit(entry.printed) / entry.value
     if asked <= judge.DEMAND:
@@ -180,7 +184,7 @@ TABLE_2 = (
 
 
 def table_2() -> Table:
-    """Table 2 with errors and standardised differences computed from its numbers."""
+    """Table 2, extended by errors and standardised differences computed from its numbers."""
     rows = [
         (
             float(k), *(published(f"huang2018:table2-row{k}-{name}").printed

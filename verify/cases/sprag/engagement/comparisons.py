@@ -35,7 +35,7 @@ UNEQUAL = "Eqs. 14-16 assume N_e = N_i; statics requires N_e/N_i = cos ω/cos ν
 
 @dataclass(frozen=True, kw_only=True)
 class Partnered(Identity):
-    """Row on Runge-Kutta steps against LSODA, computed only for the finest level."""
+    """Row that compares Runge-Kutta steps with LSODA; only the finest level has LSODA results."""
 
     by: str = BY
 
@@ -45,7 +45,7 @@ class Partnered(Identity):
 
 @dataclass(frozen=True, kw_only=True)
 class AtPeak(Approximation):
-    """Row that compares the work stored up to the peak (force times deflection) with the input."""
+    """Row that compares the work on the deflections up to the peak force with the supplied work."""
 
     def rows(self, context: Context) -> list[Row]:
         N = context.fem[-1].values["N_1 strut"]
@@ -54,9 +54,9 @@ class AtPeak(Approximation):
 
 
 def conjugate(context: Context) -> Pair:
-    """Pair: ratio of the work by rolling to the work on deflections, and its expected value 1.
+    """Pair: work of the torque over work of the normal forces on deflections; expected value 1.
 
-    Both use the same geometric closure.
+    Both works use the same geometric closure.
     """
     turning = context.inputs.number("by turning")
     return Pair(turning, 1.0, 0.0, f"relative difference of the work {turning - 1:+.1e}")
@@ -77,7 +77,7 @@ def expected(
 
 
 def along(context: Context) -> tuple[float, float, str]:
-    """Largest difference between N(t) by steps and by LSODA, divided by N_max.
+    """Largest difference between N(t) by Runge-Kutta steps and by LSODA, divided by N_max.
 
     The uncertainty and the text of the row are also returned.
     """
@@ -95,7 +95,7 @@ def along(context: Context) -> tuple[float, float, str]:
 
 
 def halving(context: Context) -> Pair:
-    """Largest forces [N] with the given and with half the time step."""
+    """Pair: largest force [N] with the given time step, and with half of this time step."""
     whole, half = (r.values["N_max"] for r in context.fem[:2])
     return Pair(whole, half, 0.0, f"N_max changes by {abs(half / whole - 1):.1e}")
 
@@ -122,7 +122,7 @@ def crowns(context: Context) -> tuple[float, float, str]:
 
 
 def centroids(context: Context) -> tuple[float, float, str]:
-    """Positive margin if other centroids change the largest force by less than CENTROID.
+    """Positive margin if two other positions of the centroid change N_max by less than CENTROID.
 
     The uncertainty and the text of the row are also returned.
     """
@@ -132,7 +132,7 @@ def centroids(context: Context) -> tuple[float, float, str]:
 
 
 def balanced(context: Context) -> Pair:
-    """Pair: first peak [N] without damping, by energy and by time steps.
+    """Pair: first peak [N] of the force without damping, by energy and by Runge-Kutta steps.
 
     Both take the ratio N_e/N_i from statics.
     """
@@ -147,7 +147,7 @@ def balanced(context: Context) -> Pair:
 
 
 def sliced(context: Context) -> Pair:
-    """Largest forces [N] with half of the slices and with all slices."""
+    """Pair: largest force [N] with half of the slices, and with all slices."""
     half, whole = (r.values["N_max sliced"] for r in context.fem[-2:])
     change = abs(whole / half - 1)
     words = f"N_max changes by {change:.1e} from half of the slices to all slices"
@@ -155,7 +155,7 @@ def sliced(context: Context) -> Pair:
 
 
 def liu(context: Context) -> tuple[float, float, str]:
-    """Relative increase of the largest force with rigid races.
+    """Relative increase of the largest force if the races are rigid instead of elastic.
 
     The uncertainty and the text of the row are also returned.
     """
@@ -183,7 +183,7 @@ def first(context: Context) -> tuple[float, float, str]:
 
 
 def inner(context: Context) -> tuple[float, float]:
-    """Smallest ratio of the largest inner to the largest outer pressure, minus 1; uncertainty."""
+    """Smallest ratio of inner to outer peak pressure over all loads, minus 1; its uncertainty."""
     q, v = context.inputs, context.analytic
     whole, N = parts(q), v["N_max"] * np.linspace(0, 1, LOADS)[1:]
     both = [in_slices(q, gap(q), float(R), N) for R in (whole.R_contact_i, whole.R_contact_e)]
@@ -192,7 +192,7 @@ def inner(context: Context) -> tuple[float, float]:
 
 
 def rolling(context: Context) -> Pair:
-    """Largest forces [N] with contacts that always roll, and with contacts that may slip."""
+    """Pair: largest force [N] with contacts that always roll, and with contacts that may slip."""
     last = context.fem[-1]
     always = float(last.arrays["rolling"][0])
     off = last.values["N_max"] / always - 1

@@ -108,7 +108,7 @@ def forces(context: Context) -> Figure:
 
 
 def apart(context: Context) -> Figure:
-    """Figure of the differences between the models over time."""
+    """Figure of the differences of the force between the models over time."""
     q, last = context.inputs, context.fem[-1]
     top, races = last.values["N_max"], swing(q)
     t = last.arrays["t"]

@@ -34,7 +34,7 @@ def parts(q: SpragInputs) -> SpragClutchParts:
 
 
 def crowned_for(q: SpragInputs) -> float:
-    """Design load [N] of the crown: Q or, if it is not given, the load of rigid statics."""
+    """Design load [N] of the crown: Q or, if Q is not given, the static load of rigid bodies."""
     return q.Q or q.T / (q.z * q.R_i * math.tan(q.nu_0))
 
 
@@ -80,7 +80,7 @@ def clutch(q: SpragInputs, N_end: float, loads: int = LOADS) -> SpragClutch:
 
 @lru_cache(maxsize=CACHE_SIZE)
 def wedge(q: EngagementInputs, *, rigid: bool = False) -> RaceSpring:
-    """Clutch as a spring, up to the largest force expected or to the end of the profile.
+    """Clutch as a spring, tabulated up to the largest expected force or the end of the profile.
 
     The races are rigid (Liu) if `rigid`.
     """

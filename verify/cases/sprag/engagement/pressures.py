@@ -59,7 +59,7 @@ def radii(q: EngagementInputs) -> tuple[tuple[str, Array], ...]:
 
 
 def moments(N: Array, name: str, q: EngagementInputs) -> Figure:
-    """Figure of the pressure along the sprag at the start, at the first peak and at the trough."""
+    """Figure of the pressure along the sprag at the start, first peak and first trough of N(t)."""
     top = int(np.argmax(N[: len(N) // 2]))
     trough = top + int(np.argmin(N[top : top + max(len(N) // 4, 2)]))
     loads = np.array([0.02 * N[top], N[top], max(N[trough], 1e-3 * N[top])])

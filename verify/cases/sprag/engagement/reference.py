@@ -1,6 +1,6 @@
 """Runge-Kutta steps of an engagement with refined time steps, and LSODA for comparison.
 
-A level halves the time step of the inputs. Compiled code is imported inside functions.
+Each level has half the time step of the level before. Compiled code is imported inside functions.
 """
 
 import math
@@ -45,7 +45,7 @@ ACROSS = 240  # moments in figures of pressure
 
 
 def solve(q: EngagementInputs, level: int) -> FemResult:
-    """Results of a level: engagements by steps, statics, oscillation; on the finest, LSODA."""
+    """Results of a level by Runge-Kutta steps; on the finest level, also results by LSODA."""
     dt = q.dt / level
     main, rigid, more = (engaged_fem(*which, dt) for which in engagements(q))
     rest = about_rest(q)
@@ -85,7 +85,7 @@ def tables_fem(q: EngagementInputs, main: "Engagement") -> dict[str, float]:
 
 
 def engagements(q: EngagementInputs) -> tuple[tuple[EngagementInputs, RaceSpring], ...]:
-    """Inputs and spring of three engagements: as given, with rigid races, under 1.6 T."""
+    """Inputs and spring of three engagements: as given, with rigid races, and under 1.6 T."""
     more = with_torque(q)
     return (q, wedge(q)), (q, wedge(q, rigid=True)), (more, wedge(more))
 
@@ -98,7 +98,7 @@ def engaged_fem(
     q: EngagementInputs, w: RaceSpring, dt: float, moves: Motion | None = None,
     course: Torque | None = None, **how: Any,
 ) -> "Engagement":  # fmt: skip
-    """Engagement of `q` with the spring `w`, computed by steps of dt [s]."""
+    """Engagement of `q` with the spring `w`, computed by Runge-Kutta steps of dt [s]."""
     from analytic.sprag.transient import engage
 
     how = {"duration": q.t_end, "D_V": q.D_V, "speeds": Speeds(inner=q.w_i)} | how
@@ -141,9 +141,10 @@ def partner_fem(
 
 
 def partners_fem(q: EngagementInputs) -> Mapping[str, float]:
-    """Largest N [N] of each engagement by LSODA and its time [s], computed past the first peak.
+    """Largest N [N] of each engagement by LSODA, and the time [s] at which it occurs, by name.
 
-    The residual is the relative change with half of the states and a hundredfold tolerance.
+    The integration ends after the first peak. The "residual" is the relative change of these
+    values with half of the tabulated states and a hundredfold tolerance.
     """
     values: dict[str, float] = {}
     until = min(FIRST * analytic(q)["t_max"], q.t_end)
@@ -162,7 +163,7 @@ def partners_fem(q: EngagementInputs) -> Mapping[str, float]:
 
 
 def compared_fem(q: EngagementInputs, main: "Engagement") -> dict[str, Array]:
-    """Arrays of time [s], N [N] by LSODA with rolling contacts, and N of the steps."""
+    """Arrays over time [s]: N [N] by LSODA with rolling contacts, N [N] by Runge-Kutta steps."""
     found = partner_fem(q, wedge(q), q.t_end, unlimited=True, rtol=100 * RTOL)
     every = max(len(found.t) // SHOWN, 1)
     t = found.t[::every]
@@ -185,7 +186,7 @@ def order_fem(q: EngagementInputs) -> Array:
 
 
 def designs_fem(q: EngagementInputs) -> dict[str, Array]:
-    """Largest N [N]: without a crown, with each crown of the paper, with two other centroids."""
+    """Largest N [N] without a crown, with each crown of the paper, with two other centroids."""
     crowns = [q.model_copy(update={"z_m": 0.0})] + [
         q.model_copy(update={"K_1": K_1, "K_2": K_2, "z_m": z_m}) for K_1, K_2, z_m in DESIGNS
     ]
@@ -214,7 +215,10 @@ def balanced_fem(q: EngagementInputs) -> dict[str, Array]:
 
 
 def drawn(q: EngagementInputs) -> dict[str, EngagementInputs]:
-    """Inputs whose pressures are drawn, by prefix: `q`, or crowns of Fig. 13 for default inputs."""
+    """Inputs whose pressures are drawn, by prefix of the names.
+
+    These are inputs with the crowns of Fig. 13 if `q` are the default inputs, otherwise only `q`.
+    """
     if q != type(q)():
         return {"": q}
     return {

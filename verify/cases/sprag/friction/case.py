@@ -23,7 +23,8 @@ class SpragFriction(FrictionFormulas):
 
     This limit is verified by the Runge-Kutta steps of the paper, in closed form and by LSODA with
     events. A contact sticks if its sliding speed is within a narrow band. Time steps that are too
-    long skip this band and give wrong forces without any sign of it; a guard rejects such steps.
+    long skip this band and give wrong forces without any sign of it; a check of the time step
+    rejects them.
     """
 
     id = "sprag-friction"
@@ -52,7 +53,7 @@ class SpragFriction(FrictionFormulas):
     sketch = drawn.sketch
 
     def reference(self, level: int) -> Level:
-        """Reference: Runge-Kutta steps of the paper, LSODA, and rejections by the guard."""
+        """Reference: Runge-Kutta steps of the paper, LSODA, and time steps rejected as too long."""
         from verify.cases.sprag.friction.reference import solve
 
         return solve(self, level)
@@ -84,7 +85,7 @@ class SpragFriction(FrictionFormulas):
         return ""
 
     def warnings(self) -> Iterator[str]:
-        """Warnings if the sprags roll over, or if the clutch can lock only without prior slip."""
+        """Warnings if the sprags roll over, or if the clutch locks only without prior slip."""
         if not math.isfinite(self.mu_b):
             yield "the sprags roll over at a lower torque than T"
         elif self.mu_c < self.mu_b <= self.mu_s:
@@ -95,7 +96,7 @@ class SpragFriction(FrictionFormulas):
             )
 
     def advice(self) -> Iterator[str]:
-        """Whether the clutch locks, and its drag while overrunning."""
+        """Whether the clutch locks, and its drag torque while overrunning."""
         if not math.isfinite(self.mu_b):
             yield "rolls over: the sprags rotate beyond their profile"
             return

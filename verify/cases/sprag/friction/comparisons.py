@@ -1,4 +1,4 @@
-"""Rows on friction of a sprag clutch: limit of locking, sliding states, guard of the time step."""
+"""Rows on friction of a sprag clutch: limit of locking, sliding states, check of the time step."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -33,9 +33,10 @@ UNEQUAL = "Eqs. 14-16 assume N_e = N_i; statics requires N_e/N_i = cos ω/cos ν
 
 @dataclass(frozen=True, kw_only=True)
 class Ended(Partnered):
-    """Row on a time, uncertain by one time step; for user inputs three steps are accepted.
+    """Row on a time at which slip starts or ends, by Runge-Kutta steps and by LSODA.
 
-    If no contact slides, the status is SHOWN.
+    For a user's inputs, a difference of three time steps is accepted. If no contact slides, the
+    status is SHOWN.
     """
 
     def rows(self, context: Context) -> list[Row]:
@@ -64,7 +65,7 @@ def at_tan(context: Context) -> Pair:
 
 
 def refused(context: Context) -> tuple[float, float, str]:
-    """Margin: +1 if the guard rejects the narrow speed band, otherwise -1.
+    """Margin: +1 if the check of the time step rejects the narrow speed band, otherwise -1.
 
     The uncertainty and the text of the row are also returned.
     """
@@ -77,9 +78,9 @@ def refused(context: Context) -> tuple[float, float, str]:
 
 
 def unguarded(context: Context) -> tuple[float, float, str]:
-    """Positive margin if the spread of N_max without the guard exceeds SPREAD.
+    """Positive margin if N_max without the check of the time step varies by more than SPREAD.
 
-    The spread is that over nearly equal torques, as a share of the correct force. The uncertainty
+    The variation is that over nearly equal torques, divided by the correct force. The uncertainty
     and the text of the row are also returned.
     """
     found = context.fem[-1].arrays
@@ -92,7 +93,7 @@ def unguarded(context: Context) -> tuple[float, float, str]:
 
 
 def never_wrong(context: Context) -> tuple[float, float, str]:
-    """Largest relative error of N_max over all pairs of band and step that the guard accepts.
+    """Largest relative error of N_max over all accepted pairs of speed band and time step.
 
     The uncertainty and the text of the row are also returned.
     """
@@ -108,10 +109,10 @@ def never_wrong(context: Context) -> tuple[float, float, str]:
 
 
 def never_idle(context: Context) -> tuple[float, float, str]:
-    """Positive margin if the median error of every rejected pair exceeds GUARDED.
+    """Positive margin if N_max has an error above GUARDED in every rejected pair of band and step.
 
-    If it does, the guard rejects no correct result. The uncertainty and the text of the row are
-    also returned.
+    The pairs consist of a speed band and a time step; their error is the median over nearly equal
+    torques. The uncertainty and the text of the row are also returned.
     """
     all_of_them = context.fem[-1].arrays["guard"]
     stopped = all_of_them[all_of_them[:, 3] == 1]
@@ -125,7 +126,7 @@ def never_idle(context: Context) -> tuple[float, float, str]:
 
 
 def by_default(context: Context) -> Pair:
-    """Pair of N_max [N], automatic bands and LSODA, for the run in which they differ most."""
+    """Pair: N_max [N] by LSODA and with the automatic speed band, for the run that differs most."""
     _, _, ours, theirs = context.fem[-1].arrays["sweep"].T
     found = farthest(theirs, ours, 0.0)
     off = abs(found.value / found.reference - 1)
@@ -145,7 +146,7 @@ def comparisons(q: FrictionFormulas) -> Iterator[Comparison | Check]:
 
 def _limits(q: FrictionFormulas) -> Iterator[Comparison]:
     def boundary() -> tuple[float, float]:
-        """Interval of the error of the time steps, which assume equal forces at both contacts."""
+        """Interval of the error of Eqs. 14-16, which assume equal forces at both contacts."""
         return -2 * q.unequal, 2 * q.unequal
 
     yield approximation(

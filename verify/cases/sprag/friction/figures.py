@@ -1,4 +1,4 @@
-"""Figures of friction: locking, the guard, the law of Eq. 13."""
+"""Figures of friction: locking, check of the time step, friction law of Eq. 13."""
 
 import math
 from collections.abc import Sequence
@@ -75,7 +75,7 @@ def law(q: EngagementInputs) -> Figure:
 
 
 def slides(context: Context) -> Figure:
-    """Figure of the normal force of sliding sprags over friction, driven and overrunning."""
+    """Figure of the normal force of sliding sprags, driven and overrunning, over μ."""
     q, w = context.inputs, context.inputs.wedge
     curves: list[Curve] = []
     for words, share in (
@@ -98,7 +98,7 @@ def slides(context: Context) -> Figure:
 
 
 def zones(context: Context) -> Figure:
-    """Figure of the regions of stick and slip over torque and friction, for weak springs."""
+    """Figure of the regions of stick and slip over torque and μ, for weak springs."""
     coarse = context.fem[-1].arrays["map"].T
     T = np.linspace(coarse[0, 0], coarse[0, -1], FINE)
     firm, _, weak, most = (np.interp(T, coarse[0], column) for column in coarse[1:])
@@ -120,7 +120,7 @@ def zones(context: Context) -> Figure:
 
 
 def wrong(context: Context) -> Figure:
-    """Figure of N(t) with an automatic band, and without guard with a band that is too narrow."""
+    """Figure of N(t) with the automatic speed band, and with a band that is too narrow."""
     last = context.fem[-1].arrays
     return plot(
         "Force with a band too narrow for the time step, without guard", "t [ms]", "N [kN]",
@@ -132,7 +132,7 @@ def wrong(context: Context) -> Figure:
 
 
 def speeds(context: Context) -> Figure:
-    """Figure of the sliding speeds at the start with the automatic and with the narrow band."""
+    """Figure of the sliding speed at the start, with the automatic and the narrow speed band."""
     last = context.fem[-1].arrays
     t = last["fine t"][:EARLY] / ms
     return plot(
@@ -148,7 +148,7 @@ def speeds(context: Context) -> Figure:
 
 
 def guarded(context: Context, factor: float) -> Figure:
-    """Map of the error of N_max without the guard, over bands and steps; rejections are marked."""
+    """Map of the error of N_max over speed bands and time steps; rejected pairs are marked."""
     guard, q = context.fem[-1].arrays["guard"], context.inputs
     chosen = guard[guard[:, 0] == factor].reshape(len(STEPS), len(BANDS), -1)
     return Map(

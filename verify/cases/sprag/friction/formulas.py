@@ -20,7 +20,10 @@ BELOW = 0.9  # friction over tan(nu_0) for permanent sliding
 
 
 def asked(q: EngagementInputs, factor: float = 1.0) -> tuple[float, float]:
-    """Required friction T_i/N, and tan(nu), at rest under `factor` times T; nan if none exists."""
+    """Required friction coefficient and tan(nu) at rest under `factor` times T.
+
+    Both are nan if there is no equilibrium.
+    """
     p = with_torque(q, factor)
     w = wedge(p)
     rest = at_rest(w, p.T)
@@ -88,7 +91,7 @@ class FrictionFormulas(EngagementInputs, Case):
         return float(np.tan(np.interp(swing(self).peak[1], now.N, now.nu)))
 
     def at_turn(self, values: Array) -> float:
-        """Value at rest, interpolated; `values` are given at the wind-up angles of `wedge`."""
+        """Interpolate `values`, given at the wind-up angles of `wedge`, at the state of rest."""
         return float(np.interp(self.rest, self.wedge.theta, values))
 
     @Quantity("μ_b", "1", "friction coefficient above which the clutch locks",

@@ -1,8 +1,8 @@
-"""Runge-Kutta steps with sliding contacts: limits of locking, sliding states, guard of the band.
+"""Runge-Kutta steps with sliding contacts: limits of locking, sliding states, rejected time steps.
 
 The band is the range of sliding speeds in which a contact may stick.
 
-A level halves the time step of the inputs. Compiled code is imported inside functions.
+Each level has half the time step of the level before. Compiled code is imported inside functions.
 """
 
 import math
@@ -45,7 +45,10 @@ STEPS = (2.0, 1.0, 0.5, 0.2)  # over the time step, in the sweep of the guard
 
 
 def solve(q: EngagementInputs, level: int) -> FemResult:
-    """Results of a level: limits and sliding states by steps; on the finest, LSODA and guard."""
+    """Results of a level: limits and sliding states by Runge-Kutta steps.
+
+    The finest level adds results by LSODA, and pairs of speed band and time step that are rejected.
+    """
     dt = q.dt / level
     boundary, half = boundary_fem(q, dt)
     slides, wide = sliding_fem(q, dt, BELOW * math.tan(q.nu_0), SPEED)
@@ -99,7 +102,7 @@ def boundary_fem(q: EngagementInputs, dt: float) -> tuple[float, float]:
 
 
 def boundaries_fem(q: EngagementInputs) -> dict[str, Array]:
-    """Array of torque [N m], ratio of locking friction to tan(nu), and its uncertainty, per row."""
+    """Array with rows: torque [N m], smallest locking friction over tan(nu), uncertainty of it."""
     found = []
     for factor in TORQUES:
         boundary, half = boundary_fem(with_torque(q, factor), q.dt)
@@ -109,7 +112,7 @@ def boundaries_fem(q: EngagementInputs) -> dict[str, Array]:
 
 
 def sliding_fem(q: EngagementInputs, dt: float, mu: float, speed: float) -> tuple[float, float]:
-    """Mean N [N] while the inner race slides at `speed` [rad/s], and its fluctuation."""
+    """Mean N [N] while the inner race slides at `speed` [rad/s], and fluctuation of N [N]."""
     moves = held(rough(q, mu), C_rl=0.0, I_bi=HEAVY * q.I_bi)
     found = engaged_fem(
         q, wedge(q), dt, moves, Torque.step(0.0), duration=SLIDES / frequency(q),
@@ -121,7 +124,7 @@ def sliding_fem(q: EngagementInputs, dt: float, mu: float, speed: float) -> tupl
 
 
 def between(q: EngagementInputs) -> float:
-    """Friction coefficient between those required at rest and at the peak."""
+    """Friction coefficient midway between those required at rest and at the peak of the force."""
     return (asked(q)[0] + engagement_values(q)["mu_asked"]) / 2
 
 
@@ -133,7 +136,7 @@ def slipped_fem(q: EngagementInputs, dt: float, until: float) -> dict[str, float
 
 
 def partners_fem(q: EngagementInputs, until: float) -> dict[str, float]:
-    """Results, by LSODA with events, for the engagements in which contacts slip."""
+    """Results of LSODA with events for the engagements in which contacts slip, by name."""
     values: dict[str, float] = {}
     for name, p in (("", weak(q)), (" more", weak(q, MORE))):
         found = partner_fem(p, wedge(p), until)
@@ -154,10 +157,10 @@ def partners_fem(q: EngagementInputs, until: float) -> dict[str, float]:
 
 
 def narrow_fem(q: EngagementInputs) -> dict[str, Array]:
-    """Results under 1.6 T with weak springs and the narrow band, with and without the guard.
+    """Results under 1.6 T with weak springs, with the automatic and with the narrow speed band.
 
-    The guard rejects the run. The result without the guard is chaotic: it depends on the last
-    digits of the torque or of the arithmetic.
+    The check of the time step rejects the narrow band. Without this check, the result is chaotic:
+    it depends on the last digits of the torque or of the arithmetic.
     """
     p = weak(q, MORE)
     w = wedge(p)
@@ -178,7 +181,7 @@ def nearby(p: EngagementInputs) -> list[EngagementInputs]:
 
 
 def refused_fem(p: EngagementInputs, dt: float, D_V: float, duration: float | None = None) -> bool:
-    """Whether the guard rejects the speed band D_V [m/s] at the time step dt [s]."""
+    """Whether the speed band D_V [m/s] is rejected because it is too narrow for the step dt [s]."""
     from analytic.sprag.transient import NarrowBandError
 
     try:
@@ -189,7 +192,7 @@ def refused_fem(p: EngagementInputs, dt: float, D_V: float, duration: float | No
 
 
 def swept_fem(q: EngagementInputs, until: float) -> dict[str, Array]:
-    """N_max [N] with automatic bands and by LSODA, over torques and friction coefficients."""
+    """Array with rows: torque [N m], μ_s, N_max [N] with automatic speed bands, N_max by LSODA."""
     found = []
     for factor, share in SWEEP:
         p = weak(q, factor)
@@ -200,11 +203,10 @@ def swept_fem(q: EngagementInputs, until: float) -> dict[str, Array]:
 
 
 def guarded_fem(q: EngagementInputs, until: float) -> dict[str, Array]:
-    """Array: rejection by the guard, and error of N_max without guard, for bands and steps.
+    """Array over speed bands and time steps: whether the pair is rejected, and error of N_max.
 
-    The correct value is computed with one fifth of the time step and an automatic band. If the
-    guard rejects a run, its force depends on the last digits; the error is then the median over
-    nearby torques.
+    The correct value is computed with one fifth of the time step and an automatic band. The force
+    of a rejected run depends on the last digits; its error is then the median over nearby torques.
     """
     found = []
     for factor in (1.0, MORE):
@@ -225,9 +227,9 @@ def guarded_fem(q: EngagementInputs, until: float) -> dict[str, Array]:
 
 
 def map_fem(q: EngagementInputs) -> dict[str, Array]:
-    """Array over torque: smallest friction that locks, and the friction that prevents all slip.
+    """Array over torque: friction coefficients above which the clutch locks, and never slips.
 
-    Both are given with the springs of the inputs and with weak springs.
+    Both coefficients are given with the springs of the inputs and with weak springs.
     """
     rows = []
     for factor in OVER:

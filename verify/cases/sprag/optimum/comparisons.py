@@ -1,4 +1,4 @@
-"""Rows of the optimal crown: printed values, range of nearly optimal crowns, maps, both torques."""
+"""Rows of the optimal crown: printed values, nearly optimal crowns, maps, effect of the torque."""
 
 import math
 from collections.abc import Callable, Iterator
@@ -44,7 +44,7 @@ def crowned(crown: Array) -> str:
 
 
 def valley(context: Context, within: float = FLAT) -> dict[str, tuple[float, float]]:
-    """Interval of each parameter, by name, in which nearly the lowest pressure is possible.
+    """Interval of each parameter, by name, within which nearly the lowest pressure can be reached.
 
     For each value in the range, the other parameters can be chosen so that the pressure is at most
     the fraction `within` above the lowest.
@@ -101,7 +101,10 @@ def lundberg(context: Context) -> tuple[float, float, str]:
 
 
 def turns(lines: Array) -> Array:
-    """Relative rise of each line from its minimum to the lower of its two ends, shape (n,)."""
+    """Relative rise of the pressures of each line, shape (n,).
+
+    It is the lower of the first and the last pressure, divided by the lowest, minus 1.
+    """
     lowest = lines.min(axis=1)
     return np.asarray(np.minimum(lines[:, 0], lines[:, -1]) / lowest - 1)
 
@@ -114,10 +117,10 @@ def factorial(context: Context) -> Array:
 
 
 def over_K_1(context: Context) -> tuple[float, float, str]:
-    """Smallest relative rise from a minimum along K_1 to the lower end of its line.
+    """Smallest of the relative rises (`turns`) of the pressure over K_1.
 
-    The lines are those of both maps. The line of the lowest z_m is left out. The uncertainty and
-    the text of the row are also returned.
+    The lines over K_1 are those of both maps, without the line of the lowest z_m. The uncertainty
+    and the text of the row are also returned.
     """
     shallow, *deeper = measured(context)["true K_1, z_m"][0].T
     found = turns(np.vstack([factorial(context).T, *deeper]))
@@ -139,9 +142,9 @@ def over_z_m(context: Context) -> str:
 
 
 def counted(context: Context, lines: Array) -> str:
-    """Text: how many lines of constant K_1 have a minimum within the range.
+    """Text: number of `lines` of constant K_1 on which the pressure has a minimum between the ends.
 
-    The text also states the shape of the line near the optimum.
+    The text also states how the pressure changes along the line nearest to the optimal crown.
     """
     found, q = turns(lines), context.inputs
     K_1 = np.linspace(q.K_1_low, q.K_1_high, q.levels)
@@ -154,17 +157,17 @@ def counted(context: Context, lines: Array) -> str:
 
 
 def course(line: Array) -> str:
-    """Text: whether a line falls, rises, or has a minimum; rises of SURE or less are ignored."""
+    """Text: whether the pressure falls, rises, or has a minimum; rises up to SURE are ignored."""
     if (turn := float(turns(line[None])[0])) > SURE:
         return f"falls, then rises by {turn:.2%}"
     return f"only {'falls' if line[-1] < line[0] else 'rises'} (changes up to {SURE:.1%} ignored)"
 
 
 def larger_K_1(context: Context) -> tuple[float, float, str]:
-    """Relative amount by which the other torque's optimal K_1 raises p_max above the lowest.
+    """Relative increase of p_max above the lowest with the optimal K_1 of the smaller torque.
 
-    K_2 and z_m are optimal for this K_1. The excess is given a negative sign if the optimal K_1 of
-    the smaller torque exceeds that of this torque.
+    K_2 and z_m are optimal for this K_1. The increase has a negative sign if the optimal K_1 of the
+    smaller torque exceeds that of the larger torque.
     """
     found = measured(context)
     K_1, other = float(found["best"][0]), float(found["less"][0])
@@ -185,7 +188,7 @@ def band(K_1: Array, over: Array) -> str:
 
 
 def steeper_z_m(context: Context) -> tuple[float, float, str]:
-    """Mean relative variation of p_max with z_m, minus the mean at the smaller torque."""
+    """Mean relative variation of p_max over z_m at the larger torque, minus that at the smaller."""
     more, less = (
         float(np.mean(p.max(axis=1) / p.min(axis=1) - 1))
         for p in measured(context)["true K_1, z_m"]
@@ -207,7 +210,7 @@ def reductions(found: Any) -> Array:
 
 
 def improves(context: Context) -> tuple[float, float, str]:
-    """Relative reduction of p_max by the optimal crown, minus that at the smaller torque.
+    """Relative reduction of p_max by the optimal crown, minus the reduction at the smaller torque.
 
     The uncertainty and the text of the row are also returned.
     """

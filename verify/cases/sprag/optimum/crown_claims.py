@@ -36,7 +36,7 @@ NONE_FREE = "no crown with unloaded ends was found: surrogate and strips give di
 
 
 def series(context: Context, crown: str, by: str, what: str) -> list[float]:
-    """Pressures [Pa] of a crown, coarse to fine meshes: largest ("peak") or mid-length ("mid")."""
+    """Largest ("peak") or mid-length ("mid") pressures [Pa] of a crown, coarse to fine meshes."""
     found = measured(context)
     counts = STRIPPED if by == "strips" else CELLS
     if what == "mid":
@@ -53,7 +53,7 @@ def by_slices(context: Context, crown: str, what: str) -> float:
 
 @dataclass(frozen=True, kw_only=True)
 class AtCrown(Estimated):
-    """Row on a pressure of the crown with unloaded ends under N_max, with mesh refinement."""
+    """Row that compares a pressure of the crown with unloaded ends under N_max by two models."""
 
     what: str
     beside: str  # "slices" or "strips"
@@ -78,7 +78,7 @@ class AtCrown(Estimated):
 
 
 def within(share: float) -> Any:
-    """Function of inputs: the interval ±`share` for the paper's inputs, otherwise None."""
+    """Function that returns the interval ±`share` for the paper's inputs, and None for others."""
 
     def interval(q: Any, _values: Any) -> tuple[float, float] | None:
         return (-share, share) if q == type(q)() else None
@@ -169,7 +169,7 @@ def lower(context: Context) -> tuple[float, float, str]:
 
 
 def at_rest(q: Any, name: str) -> Comparison:
-    """Row that compares a pressure of the given crown at rest by slices with that by strips."""
+    """Row that compares, for the given crown at rest, a pressure by slices with that by strips."""
     check = Estimated(
         name=f"{name} of the given crown at rest, by slices", symbol="p", unit="MPa",
         analytic=q.name, fem=q.name, by=BY_STRIPS, interval=within(SLICED + STRIPS), source=PLACE,

@@ -45,14 +45,14 @@ def validated_fem(q: OptimumInputs) -> dict[str, Array]:
 
 
 def direct_fem(q: OptimumInputs) -> dict[str, Array]:
-    """Array (n, 4): crowns that DIRECT evaluated, in this order, and their pressures [Pa]."""
+    """Array (n, 4): crowns and their pressures [Pa], in the order of evaluation by DIRECT."""
     pressure, seen = recorded(lambda crown: largest_fem(q, crown), q.box)
     direct(pressure, [(0.0, 1.0)] * 3, maxfun=ENGAGEMENTS, maxiter=ENGAGEMENTS)
     return {"direct": np.array(seen)}
 
 
 def seeds_fem(q: OptimumInputs) -> dict[str, Array]:
-    """Minima [Pa] of a surrogate that both searches find, for several random seeds."""
+    """Minima [Pa] of the surrogate by each of both searches, for several random seeds."""
     x = full_factorial(q.box, q.levels)
     surrogate = fit_regimes(x, answers(peaks_fem(q, x, [q.T])), q.box)
     ga = [

@@ -37,7 +37,7 @@ def ends_fem(q: OptimumInputs, found: dict[str, Array]) -> dict[str, Array]:
 
 
 def freed_fem(q: OptimumInputs, x: Array, N: Array) -> dict[str, Array]:
-    """Optimal crown with unloaded ends, computed by strips, and designs added to its surrogate.
+    """Optimal crown with unloaded ends by strips, and the values at the designs added by infill.
 
     Kriging, infill and search are those used for slices. N (n,) are the known forces [N] of the
     crowns x (n, 3). The result is empty if surrogate and strips give different optima.

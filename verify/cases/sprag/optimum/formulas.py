@@ -27,7 +27,7 @@ MOST_STEPS = 50_000  # largest number of steps of an engagement; a study has hun
 
 
 class CrownAtHand(OptimumInputs, Case):  # type: ignore[misc]  # `levels` is an input
-    """The given crown at rest; by the reference, also the optimal crown at both torques."""
+    """Pressures of the given crown at rest; only the reference computes the optimal crown."""
 
     source = "huang2018"
     method = BY_SEARCHES

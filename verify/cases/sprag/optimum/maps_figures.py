@@ -16,7 +16,7 @@ ABOVE = 4.0  # % above the lowest pressure, upper end of the axis of the figure 
 
 
 def figure(context: Context) -> str:
-    """Number of the paper's figure as a format string; empty if inputs are not the paper's."""
+    """Format string for the number of the paper's figure; empty if inputs are not the paper's."""
     if not context.is_paper:
         return ""
     return " (Fig. 17{})" if context.inputs.T_less else " (Fig. 15{})"
@@ -41,7 +41,7 @@ def maps(context: Context) -> Sequence[Figure]:
 
 
 def lines(context: Context) -> Curves:
-    """Figure over K_1 of the largest pressure for several z_m: by surrogate, by engagements."""
+    """Figure of the largest pressure over K_1 for several z_m, by surrogate and by engagements."""
     found, q = measured(context), context.inputs
     true, K_1 = found["true K_1, z_m"][0], np.linspace(q.K_1_low, q.K_1_high, q.levels)
     z_m = np.linspace(q.z_m_low, q.z_m_high, q.levels)

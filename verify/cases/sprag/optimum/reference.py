@@ -1,4 +1,4 @@
-"""Reference: strips at the given crown, the optimisation, and the end effects of its crowns."""
+"""Reference: strips for the given crown, the optimisation, and the end effects of its crowns."""
 
 import numpy as np
 
@@ -20,7 +20,7 @@ LEVELS = STRIPPED  # strips along a sprag
 
 
 def solve(q: OptimumInputs, level: int) -> Level:
-    """Results with `level` strips at the given crown; the finest level adds the optimisation."""
+    """Results with `level` strips for the given crown; the finest level adds the optimisation."""
     now, one = under(q), built(q)
     assert now is not None  # a clutch without a peak was refused before
     found = in_strips(q, crowned(q, level), one.radii(now)[0], float(now.N))

@@ -53,7 +53,7 @@ class Repeated(Claim):
     """Claim that a kriging result agrees with the solution of the bordered linear system.
 
     The accepted difference follows from the condition number. `pair(context, array, one, extra)`
-    returns both values for a regime, and their scale.
+    returns both values for one kriging model (end slice or other slices), and their scale.
     """
 
     kind = Kind.EXACT
@@ -77,7 +77,10 @@ class Repeated(Claim):
 
 
 def regimes(context: Context) -> Iterator[tuple[Named, Bordered, Array]]:
-    """Tuples for each kriging regime: its arrays by name, bordered system, and extra designs."""
+    """Tuples for each kriging model: its arrays by name, bordered system, and extra designs.
+
+    One model is that of the end slice, the second that of all other slices.
+    """
     found, box = measured(context), context.inputs.box
     for name in ("end", "inside"):
         if f"{name} designs" in found:
@@ -89,9 +92,9 @@ def regimes(context: Context) -> Iterator[tuple[Named, Bordered, Array]]:
 
 
 def at_extra(name: str) -> Callable[[Context, Named, Bordered, Array], Pairs]:
-    """Function that returns pairs of a kriging result at the extra designs, by two methods.
+    """Function that returns results at the extra designs by kriging and by the bordered system.
 
-    They are given by kriging and by the bordered system; `name` is "predicted" or "deviation".
+    The result `name` is "predicted" or "deviation"; the scale of the results is also returned.
     """
 
     def pair(_: Context, array: Named, one: Bordered, extra: Array) -> Pairs:
@@ -111,7 +114,7 @@ def left_out(_: Context, array: Named, one: Bordered, _extra: Array) -> Pairs:
 
 
 def missed(found: Measured, which: str) -> Array:
-    """Relative errors of one kriging model ("single") or of two models at the extra designs."""
+    """Relative errors at the extra designs, of one kriging model ("single") or of two ("two")."""
     return np.asarray(found[f"extra {which}"] / found["extra largest"][:, 0] - 1)
 
 
@@ -121,7 +124,7 @@ def spread(errors: Array) -> str:
 
 
 def fresh(context: Context) -> tuple[float, float, str]:
-    """Mean relative error at new designs or, if larger, the scaled largest error.
+    """Mean relative error at the extra designs or, if larger, the scaled largest error.
 
     The largest error is scaled by MEAN/LARGEST, so that the limit MEAN applies to both.
     """
@@ -155,7 +158,7 @@ def searched(context: Context) -> Pair:
 
 
 def directly(context: Context) -> Pair:
-    """Pair of pressures [Pa]: optimal crown; lowest in a search with engagements, no surrogate."""
+    """Pair: pressure [Pa] of the optimal crown, and lowest found by a search without surrogate."""
     found = measured(context)
     tried, best = found["direct"][:, 3], float(found["best true"][0])
     low = float(tried.min())
@@ -198,9 +201,9 @@ def two_errors(context: Context) -> str:
 
 
 def blind(context: Context) -> tuple[float, float, str]:
-    """Amount by which the ratio of the leave-one-out estimate to the true error is below BLIND.
+    """Positive margin if the leave-one-out estimate is less than BLIND times the true error.
 
-    Both are mean errors of a single kriging model.
+    Both are mean relative errors of a single kriging model.
     The uncertainty and the text of the row are also returned.
     """
     found = measured(context)
@@ -214,7 +217,7 @@ def blind(context: Context) -> tuple[float, float, str]:
 
 
 def better(context: Context) -> tuple[float, float, str]:
-    """Positive margin if separate kriging models have less than half of the error of one model.
+    """Positive margin if two kriging models have less than half of the error of a single model.
 
     The uncertainty and the text of the row are also returned.
     """

@@ -21,7 +21,7 @@ TABLE_2 = 10  # rows
 
 
 def deeper(context: Context) -> Measured | None:
-    """Results of the long studies (`deep`), stored for the paper's clutch; otherwise None."""
+    """Stored results of the long studies (`deep`) for the paper's clutch; None for other inputs."""
     if not context.is_paper:
         return None
     return deep_measured(DEEP_25 if isinstance(context.inputs, Optimum25Inputs) else DEEP_40)

@@ -42,7 +42,7 @@ def ratio(key: str, most: float, what: str, *, of_fem: bool = False) -> Function
 
 
 def force_ratio(key: str) -> Function:
-    """Function that returns a pair: `key` by formula and reference where they differ most.
+    """Function that returns a pair: `key` by formula and by reference, where they differ most.
 
     Only states up to N_0 are compared.
     """
@@ -61,7 +61,7 @@ def force_ratio(key: str) -> Function:
 
 
 def force_ratio_bent(key: str) -> Function:
-    """Function that returns a pair: `key` at 1.8 N_0 by the formula with bending, by reference."""
+    """Function that returns a pair: `key` at 1.8 N_0 by formula with bending, and by reference."""
     name = f"{key}_most"
 
     def pair(context: Context) -> Pair:

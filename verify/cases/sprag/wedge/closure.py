@@ -1,6 +1,6 @@
 """Steps of the geometric closure of a wedged sprag (Eqs. 9, 10): deflections, lengths, angles.
 
-The steps are displayed with their numbers; they are not compared with a reference.
+The values of the steps are displayed, but not compared with a reference.
 """
 
 from functools import partial

@@ -1,4 +1,4 @@
-"""Rows of a wedged sprag: at equal normal force over the stroke, and at equal torque."""
+"""Rows of a wedged sprag: formulas and finite elements at equal normal force or equal torque."""
 
 from collections.abc import Callable, Iterator
 from functools import partial
@@ -49,7 +49,7 @@ COLUMN = f"{PLANE}, the sprag as a column with rounded ends"
 
 
 def expected(q: Any, bound: Bound, source: str, sensitivity: float) -> Computed:
-    """Expected error, as an interval computed by `bound`; None if too wide for a user's clutch."""
+    """Expected error: interval by `bound`; None for a user's clutch if the interval is too wide."""
 
     def interval() -> Interval | None:
         low, high = bound(bounds(q.part, q.N))

@@ -44,7 +44,7 @@ class WedgeFormulas(WedgeInputs, Case):
 
     @shared
     def part(self) -> WedgeInputs:
-        """The inputs without the state, so that all states share the clutches built by `model`."""
+        """The inputs without `share`, so that all states use the same clutches built by `model`."""
         return WedgeInputs(**{name: getattr(self, name) for name in WedgeInputs.model_fields})
 
     @shared

@@ -1,4 +1,4 @@
-"""Model of a wedged sprag: its parts as elastic bodies, and the bounds of its comparisons."""
+"""Model of a wedged sprag: elastic bodies, and bounds of the expected errors of its formulas."""
 
 from functools import lru_cache
 

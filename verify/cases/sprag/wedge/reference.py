@@ -81,9 +81,10 @@ def statics(sweep: Sweep) -> dict[str, float]:
 
 
 def onset(sweep: Sweep) -> dict[str, float]:
-    """Friction coefficients: above T_i/N_i, if the sprag holds; below it, if the sprag slips.
+    """Two friction coefficients near T_i/N_i between which slip begins, and the normal force [N].
 
-    A coefficient is nan if the sprag does not behave so.
+    "holds" is above T_i/N_i, "slides" below. "holds" is nan if the sprag slips with it, and
+    "slides" is nan if the sprag holds with it.
     """
     state = sweep.states[SLIPS]
     tan = state.T[0] / state.N[0]

@@ -131,7 +131,7 @@ class AccordionSpring(FreeStage):
         return frame.end_point(**self.paper_path, tail="mid-leaf")[0] / self.b
 
     def _of_radii(self, head: float, segments: float) -> float:
-        """Stiffness [N/m] with radii of head and segments [m]; the tail has the true radius."""
+        """Stiffness [N/m] with arc radii `head` and `segments` [m]; the tail has the true one."""
         a = self.L1 / 2
         ends = [float(energy.head_flexibility(L1=self.L1, r=r)) for r in (head, self.R, segments)]
         to_tail = flexibility(self.n, a, segments, self.L2, self.alpha, "alternating", 1.0,
@@ -236,13 +236,13 @@ class AccordionSpring(FreeStage):
         )  # fmt: skip
 
     def _neglected(self) -> Expected:
-        """Expected increase of the compliance by axial force and shear, ± 10 %."""
+        """Expected relative increase of the compliance by axial force and shear, ± 10 % of it."""
         bending = frame.stiffness(**self.paper_path, **strip_of(self), theory="bending")
         m = bending / self.held(PAPER).k_V - 1
         return Expected(0.9 * m, 1.1 * m, EQ_9_SOURCE)
 
     def _of_inner_radius(self) -> Expected:
-        """Expected increase of the stiffness if the arcs have the inner radius."""
+        """Expected relative increase of the stiffness if the arcs have the inner radius."""
         bending = frame.stiffness(**self.paper_path, **strip_of(self), theory="bending")
         m = bending / self.held(COMBINED[0]).k_V - 1
         return about(m, CENTRE_LINE * abs(m), RADIUS_SOURCE)

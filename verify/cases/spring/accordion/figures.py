@@ -37,7 +37,7 @@ def combinations(q: Any) -> list[Combination]:
 
 
 def moments(context: Context) -> Iterator[Profile]:
-    """Figure of bending moments by Eqs. 1-5, with dots of straight elements at the joints."""
+    """Figure of bending moments by Eqs. 1-5; dots are values of straight elements at the joints."""
     if not context.converging:
         return
     q = context.inputs

@@ -18,7 +18,7 @@ TAIL_SUPPORTS = {"clamped": "xyr", "hinged": "xy"}
 
 
 def solve(springs: Iterable[Any], level: int) -> Level:
-    """Results of one level of all `springs`; the first spring also has moments."""
+    """Stiffnesses of all `springs` on one level; bending moments of the first spring."""
     from fem.beam.straight import solve_frame
     from fem.unit_load import stiffness
 

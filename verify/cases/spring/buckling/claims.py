@@ -41,10 +41,11 @@ def one_ratio(context: Context) -> tuple[float, float, str]:
 
 
 def stays(tail: str) -> Callable[[Context], tuple[float, float, str]]:
-    """Function that returns a margin: smallest determinant while a free head is compressed.
+    """Function that returns a margin: smallest determinant of the head's stiffness, free head.
 
-    The determinant is relative to that of the unloaded spring and vanishes at a critical point. The
-    uncertainty and the text of the row are also returned.
+    It is the smallest over the states of compression. The determinant is divided by that of the
+    unloaded spring and vanishes at a critical point. The uncertainty and the text of the row are
+    also returned.
     """
 
     def margin(context: Context) -> tuple[float, float, str]:
@@ -61,7 +62,10 @@ def stays(tail: str) -> Callable[[Context], tuple[float, float, str]]:
 
 
 def hinged(tail: str) -> Callable[[Context], tuple[float, float, str]]:
-    """Smallest determinant for a hinged head, over the states with a guided head (function)."""
+    """Function that returns a margin: smallest determinant of the head's stiffness, hinged head.
+
+    It is the smallest over the states that are computed with a guided head.
+    """
 
     def margin(context: Context) -> tuple[float, float, str]:
         left = stored(context, f"guided{KEYS[tail]}")[:, 3]
@@ -74,10 +78,10 @@ def hinged(tail: str) -> Callable[[Context], tuple[float, float, str]]:
 
 
 def many_units(context: Context) -> tuple[list[float], list[float], list[float]]:
-    """Points of a limit: shortenings at buckling, errors of Haringx's column, uncertainties.
+    """Relative shortenings at buckling, errors of Haringx's column, and uncertainties, shapes (k,).
 
-    The ends of the spring, which are not units, are 1/n of its length. The shortening is
-    proportional to 1/n^2.
+    The number n of segments increases, which makes both tend to zero: the ends of the spring, which
+    are not units, are 1/n of its length, and the shortening is proportional to 1/n^2.
     """
     q = context.inputs
     xi = column.critical_shortening("free", **q.path | {"n": np.array(MANY)}, b=q.b, nu=q.nu)

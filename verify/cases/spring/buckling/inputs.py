@@ -1,4 +1,4 @@
-"""Inputs of case spring-buckling, and parameters of the further springs that it computes."""
+"""Inputs of case spring-buckling, and parameters of the other springs that it computes."""
 
 import math
 from typing import Literal

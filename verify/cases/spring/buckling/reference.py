@@ -1,4 +1,4 @@
-"""Finite elements of case spring-buckling: a unit, critical points, drift, further springs."""
+"""Finite elements of case spring-buckling: a unit, critical points, drift, other dimensions."""
 
 import math
 from typing import TYPE_CHECKING, Any
@@ -32,9 +32,9 @@ UNIT_PIECES = slice(2, 5)  # arc, leaf, arc of the first middle unit
 
 
 def solve(q: BucklingInputs, level: int) -> Level:
-    """Results of a level: stiffnesses of a unit, and the spring with each of both tails.
+    """Results of a level: stiffnesses of a unit, and critical points of the spring with both tails.
 
-    One of the levels also has paths and further springs.
+    One of the levels also has equilibrium paths, and springs of other dimensions.
     """
     from fem.beam.pressed import PLACES
     from fem.beam.pressed_path import both_paths, deflected, drifts
@@ -74,9 +74,10 @@ def spring(q: BucklingInputs, path: dict[str, Any], b: float, level: int) -> "Pr
 
 
 def swept(q: BucklingInputs) -> dict[str, Any]:
-    """Arrays by name: critical displacements and relative shortenings of further springs.
+    """Arrays by name: critical points of springs of other dimensions.
 
-    The varied inputs are b on one centre line, n at a given L_0/b, n, and both n and L_1.
+    The array "by_b" varies b on the same centre line, "same_ratio" varies n with a constant L_0/b,
+    "many" varies n, "map" varies L_1 and n.
     """
     from fem.beam.released import buckling_state
 
@@ -110,7 +111,7 @@ def shortening(one: "PressedFrame", length: float) -> float:
 
 
 def unit_fem(q: BucklingInputs, level: int) -> dict[str, float]:
-    """Stiffnesses of a middle unit (name: value); one end is clamped, loads act at its centre."""
+    """Stiffnesses of a middle unit, by name; one end is clamped, loads act at the unit's centre."""
     from fem.beam.part import part_stiffness
     from meshes.spring.path import accordion
 

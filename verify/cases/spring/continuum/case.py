@@ -93,8 +93,8 @@ class PlaneSpring(FreeStage):
     def _expected(self, more: Added, neglected: float) -> Expected:
         """Expected error of the formula, with the next order of b/R as its uncertainty.
 
-        If the next order exceeds half of the required sensitivity, the bar is too thick for an
-        estimate, and its error is only reported.
+        If the next order exceeds half of the required sensitivity, the strip is too thick for an
+        estimate, and the error is only reported.
         """
         unknown = max(more.next_order(self.b / self.R), DEMAND[0] / 100)  # no smaller tolerance
         return about(neglected, unknown, SOURCE)._replace(sharp=unknown <= DEMAND[0] / 2)

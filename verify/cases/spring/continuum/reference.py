@@ -40,7 +40,7 @@ def solve(q: AccordionInputs, level: int) -> Level:
 
 
 def sheared(q: AccordionInputs, centre: float, force: float) -> Callable[[Any], Array]:
-    """Function of the parabolic shear stress [Pa] on an end face, with resultant `force` [N]."""
+    """Function that returns parabolic shear stress [Pa] on an end face, with resultant `force`."""
 
     def traction(x: Any) -> Array:
         shape = 1.5 * (1 - (2 * (x[0] - centre) / q.b) ** 2)
@@ -52,8 +52,8 @@ def sheared(q: AccordionInputs, centre: float, force: float) -> Callable[[Any], 
 def cells_along(q: AccordionInputs, level: int) -> dict[str, int]:
     """Numbers of cells along a leaf and along an arc.
 
-    With quadratic cells of length l, the bending of a piece of length L has the error
-    (l/L)^2 (l/b)^2.
+    With quadratic cells of length l, the relative error of the bending of a leaf or arc of length L
+    is of the order of (l/L)^2 (l/b)^2.
     """
     lengths = {"leaf": q.leaf, "arc": q.R * q.alpha}
     return {k: level * max(4, round(2.2 * math.sqrt(v / q.b))) for k, v in lengths.items()}

@@ -90,7 +90,7 @@ class CurveSpring(CurveInputs, Case):
 
     @shared
     def linear(self) -> Stages:
-        """Linear theory in closed form: F over U is straight before and after contact."""
+        """Linear theory in closed form: F(U) is one line before contact and another after it."""
         ends: dict[str, Any] = {"head": self.head, "tail": self.tail}
         factor = self.width_factor
         return stages(**self.path, **strip_of(self), **ends, width_factor=factor, theory="shear")
@@ -138,7 +138,7 @@ class CurveSpring(CurveInputs, Case):
     sketch = sketched.sketch
 
     def warnings(self) -> Iterator[str]:
-        """Warnings if a free head buckles, another width factor applies, or no tips touch."""
+        """Warnings: a free head buckles, the width factor does not suit the leaf, no tips touch."""
         if self.head == "free":
             yield "a spring with a free head buckles laterally at a low load: see spring-buckling"
         yield from other_width(self.width_factor, h=self.h, leaf=self.leaf, nu=self.nu)

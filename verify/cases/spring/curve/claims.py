@@ -1,4 +1,4 @@
-"""Criteria of the rows of the whole curve: fitted lines, contact, energy, limits, Eq. 10."""
+"""Margins of the rows of the whole curve: fitted lines, contact, energy, limits, Eq. 10."""
 
 from collections.abc import Callable
 from functools import cache
@@ -32,7 +32,7 @@ STIFFER = 10.0  # over k_2, once all loops touch
 
 
 def curve(context: Context, level: int = FINE) -> Array:
-    """Displacement, force and sum of normal forces of the spring of the inputs, shape (3, k)."""
+    """Displacement [m], force [N] and sum of contact forces [N] of the spring, shape (3, k)."""
     U, F, press = (stored(context, f"curve {level} {key}") for key in ("U", "F", "press"))
     return np.array([U, F, press.sum(axis=1)])
 
@@ -43,7 +43,7 @@ def lines(context: Context, level: int = FINE) -> FittedLines:
 
 
 def read(context: Context) -> list[tuple[str, float, FittedLines, Array]]:
-    """List over readings and width factors: name, factor, fitted lines, and U and F (2, k)."""
+    """For each reading and width factor: name, factor, fitted lines, and U [m], F [N] (2, k)."""
     q: CurveInputs = context.inputs
     found = []
     for name, _ in readings(q):
@@ -55,9 +55,9 @@ def read(context: Context) -> list[tuple[str, float, FittedLines, Array]]:
 
 
 def beside(context: Context, other: Array) -> tuple[FittedLines, FittedLines]:
-    """Fitted lines of two curves: of the inputs (coarse mesh), and of `other` (3, k).
+    """Fitted lines of two curves: that of the inputs on the coarse mesh, and `other` (3, k).
 
-    Both curves are evaluated at common states.
+    Both curves are evaluated at the same displacements.
     """
     stroke = context.inputs.stroke
     own, other = on_common(curve(context, COARSE), other, stroke)
@@ -65,18 +65,18 @@ def beside(context: Context, other: Array) -> tuple[FittedLines, FittedLines]:
 
 
 def apart(context: Context, other: Array) -> float:
-    """Largest relative difference between slopes of the curve of the inputs and of `other`."""
+    """Largest relative difference of the slopes of both curves of `beside`."""
     own, other_lines = beside(context, other)
     return own.apart(other_lines)
 
 
 def without(context: Context) -> str:
-    """Text that k_2 is missing if no leaves touch within the stroke; otherwise empty."""
+    """Text that k_2 is missing, if too few states have contact; otherwise empty."""
     return "" if np.isfinite(lines(context).k2) else "; no k_2: too few states with contact"
 
 
 def drift(number: Callable[[FittedLines], float]) -> Callable[[Context], float]:
-    """Function that returns the relative difference of a fitted number between both meshes."""
+    """Function that returns the relative difference of `number` between coarse and fine mesh."""
 
     def of(context: Context) -> float:
         coarse, fine = map(number, beside(context, curve(context)))
@@ -133,7 +133,7 @@ def ends_early(context: Context) -> bool:
 
 
 def stiffens(context: Context) -> tuple[float, float, str]:
-    """Positive margin if the final slope exceeds STIFFER k_2; nan if the curve ends early.
+    """Positive margin if the final slope exceeds STIFFER times k_2; nan if the curve ends early.
 
     The uncertainty and the text of the row are also returned.
     """
@@ -148,7 +148,10 @@ def stiffens(context: Context) -> tuple[float, float, str]:
 
 
 def near(key: str, figure: float, printed: Callable[[], float]) -> Margin:
-    """Function that returns a positive margin if `key` is within `figure` of Eq. 10."""
+    """Function that returns a positive margin if a value differs from Eq. 10 by less than `figure`.
+
+    The value is the attribute `key` of the fitted lines.
+    """
 
     def margin(context: Context) -> tuple[float, float, str]:
         def own(found: FittedLines) -> float:
@@ -202,9 +205,10 @@ def deviations(context: Context, level: int) -> tuple[Array, Array]:
 
 
 def parallel(k: int) -> Callable[[Context], tuple[list[float], list[float], list[float]]]:
-    """Function that returns points of a limit: errors of U_A, F_A or k_2 for slender leaves.
+    """Function that returns relative differences of beams from the closed form for slender leaves.
 
-    The reference is the nonlinear beam. The function returns sizes, errors and uncertainties.
+    They are those of U_A, F_A or k_2 (`k`). The function returns loop radii over L_1, differences
+    and uncertainties.
     """
     name = ("U_A", "F_A", "k2")[k]
 

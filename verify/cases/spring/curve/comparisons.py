@@ -23,7 +23,7 @@ LIMIT = (
 
 
 def slender(k: int, symbol: str, words: str) -> Limit:
-    """Row on U_A, F_A or k_2: its closed form is the limit of beams for slender leaves."""
+    """Row on U_A, F_A or k_2: for slender leaves, beams tend to the closed form."""
     return Limit(
         name=f"{words}, closed form for slender leaves", symbol=f"{symbol}, FE/formula − 1",
         unit="1", points=claims.parallel(k), exponent=None, demand=2e-3, demand_reason=LIMIT,
@@ -32,7 +32,7 @@ def slender(k: int, symbol: str, words: str) -> Limit:
 
 
 def deviations() -> Iterator[Deviation]:
-    """Rows on contact, mesh, energy and unloading of the beams."""
+    """Rows on overlap, contact stiffness, mesh, energy and unloading of the beams."""
     slopes: dict[str, Any] = {"symbol": "Δk/k", "unit": "1", "whole": "slopes k_1, k_2"}
     yield Deviation(name="no interpenetration of leaves", symbol="δ/b", unit="1",
                     size=claims.depth, accepted=PENETRATION, whole="thickness",

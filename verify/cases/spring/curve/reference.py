@@ -84,7 +84,7 @@ def _variants(q: CurveInputs) -> dict[str, Any]:
 
 
 def _read(q: CurveInputs) -> dict[str, Any]:
-    """Curves of the readings, and values for increasingly slender leaves."""
+    """Curves of the readings, and first contacts for increasingly slender leaves."""
     held, found = grid(q, QUARTER), {}
     for name, spring in readings(q):
         within = held if spring.head != "free" else held[:1]  # it buckles soon after

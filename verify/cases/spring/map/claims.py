@@ -16,7 +16,7 @@ NOISE = 1e-4  # relative error of the finite elements of the maps
 
 
 def errors(q: MapInputs, cells: list[list[Cell]], k: Any) -> Any:
-    """Relative errors of Eqs. 1-9 against `k`, (rows, columns, 3); nan where `k` is not above 0."""
+    """Relative errors of Eqs. 1-9 against stiffnesses `k` (rows, columns, 3); nan where k <= 0."""
     k1 = np.array([[float(energy.stiffness(**c.eqs, h=q.h, E=q.E)) if c.b < c.r else np.nan
                     for c in row] for row in cells])  # fmt: skip
     with np.errstate(divide="ignore"):
@@ -37,7 +37,7 @@ def within_claim(context: Context) -> tuple[float, float, str]:
 
 
 def falls(context: Context) -> tuple[float, float, str]:
-    """Smallest decrease of the error between springs of one centre line with decreasing b."""
+    """Smallest decrease of the error from a spring to the next thinner one, equal centre lines."""
     q = context.inputs
     b, z, k = stored(context, "on_line").T
     k1 = np.array([

@@ -49,11 +49,12 @@ def spring(q: MapInputs, cell: Cell, per_arc: int, per_leaf: int) -> "PressedFra
 
 
 def measured(q: MapInputs, cell: Cell) -> tuple[float, ...]:
-    """Initial stiffness with a free head, and secant stiffnesses with a guided head.
+    """Initial stiffness with a free head, and secant stiffnesses [N/m] with a guided head.
 
     All values are zero if b >= r. The secant stiffnesses are zero if the guided spring becomes
     unstable before the largest displacement.
-    Raises ArithmeticError if an equilibrium path is not found, which is no property of the spring.
+    Raises ArithmeticError if an equilibrium path is not found; this does not mean that the spring
+    is unstable.
     """
     from fem.beam.pressed_path import UnstableError, stable_forces
 

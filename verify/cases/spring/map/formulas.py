@@ -24,8 +24,8 @@ EXACT = "exact elastica"
 def pressed(q: MapInputs) -> Mapping[str, float]:
     """Exact axial and lateral forces [N] on a guided head, by name, for several displacements.
 
-    The result is empty if Newton's method finds no state on the path. The reason of refusal and a
-    warning then state this.
+    The result is empty if Newton's method finds no state on the path. `refusal` and `warnings` then
+    state this.
     """
     try:
         return _pressed(q)

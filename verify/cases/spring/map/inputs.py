@@ -88,7 +88,7 @@ class Cell:
 
 
 def slender(q: MapInputs, n: int, ratio: float) -> Cell:
-    """Spring with the inner radius r, n segments and L_0/b = `ratio`; L_0 depends on b."""
+    """Spring with the inner radius r, n segments and L_0/b = `ratio`; b is found by iteration."""
     b = Cell(n, q.b, q.r, q.L1, q.alpha).length / ratio
     for _ in range(60):
         b = Cell(n, b, q.r, q.L1, q.alpha).length / ratio
@@ -96,7 +96,7 @@ def slender(q: MapInputs, n: int, ratio: float) -> Cell:
 
 
 def points(q: MapInputs, deep: bool) -> dict[str, list[list[Cell]]]:
-    """Cells of both maps, row by row: n (rows) and L_0/b, then alpha (rows) and L_1/r."""
+    """Rows of cells of both maps: n over L_0/b ("slender"), and alpha over L_1/r ("shape")."""
     columns, rows = (DEEP_SLENDER, DEEP_SEGMENTS) if deep else (SLENDER, SEGMENTS)
     leaves, angles = (DEEP_LEAVES, DEEP_ANGLES) if deep else (LEAVES, ANGLES)
     return {

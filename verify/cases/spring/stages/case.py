@@ -163,7 +163,7 @@ class StageSpring(StageFormulas):
 
 
 def _beside(q: Quantity, state: State, name: str, printed: str) -> Comparison:
-    """Row on a printed measurement against the formula `q` in a state."""
+    """Row that compares the formula `q` in a state with a printed measurement."""
     return Comparison(quantity=q, state=state, check=PrintedMeasurement(
         name=name, symbol=q.symbol, unit=q.unit, analytic=f"{q.name}_{state.key}",
         reference=f"wang2023:{printed}",

@@ -1,4 +1,4 @@
-"""Sixteen readings of the paper's spring against Eq. 10.
+"""Sixteen readings of the paper's spring, compared with Eq. 10.
 
 The paper does not state the supports of head and tail, the radius of the arcs (r or r + b/2), or
 the increase of the stiffness of its shell model by the width. A reading is chosen only by its k_1.
@@ -120,7 +120,7 @@ def keeps(key: str, figure: float) -> Margin:
 
 
 def tables(q: StagesInputs, context: Context) -> Sequence[Table]:
-    """Table of all readings; for the paper's spring, with differences from Eq. 10 and tests."""
+    """Table of all readings; for the paper's spring, also differences from Eq. 10 and the tests."""
     test = {name: published(f"wang2023:{name}-test").value * N_PER_MM for name in ("k1", "k2")}
     rows = []
     for x in readings(q):
@@ -150,7 +150,7 @@ NOTE = (
 
 
 def predictions(q: StagesInputs) -> str:
-    """Readings that give the printed k_1, with deviations of their U_A, F_A, k_2 from Eq. 10."""
+    """Text: readings that give the printed k_1, and deviations of U_A, F_A and k_2 from Eq. 10."""
     found = meeting(q)
     if not found:
         return f"No reading gives the printed k_1 within {MET:.0%}."

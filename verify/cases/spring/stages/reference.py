@@ -47,7 +47,7 @@ def solve(q: StagesInputs, level: int) -> Level:
 
 
 def force_over_displacement(found: dict[str, float], length: float) -> Any:
-    """Forces [N], (m,), at the displacements SHARES times `length`; linear between contacts."""
+    """Forces [N], (m,), at the displacements SHARES times `length`; F(U) is piecewise linear."""
     U, A, B = SHARES * length, found["U_A"], found["U_B"]
     second = np.where(U > A, found["F_A"] + found["k2"] * (U - A), found["k1"] * U)
     return np.where(U > B, found["F_B"] + found["k3"] * (U - B), second)

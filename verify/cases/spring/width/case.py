@@ -127,7 +127,7 @@ class WideSpring(WidthInputs, Case):
         )  # fmt: skip
 
     def _left(self, ratio: Share) -> float:
-        """Relative difference of the factor of a leaf with half of the terms."""
+        """Relative change of the width factor of a leaf if only half of Ritz's terms are used."""
         leaf = self.leaf_factor(ratio)
         return (float(width_factor(ratio, 1.0, nu=self.nu, terms=TERMS // 2)) - leaf) / leaf
 
@@ -181,7 +181,7 @@ class WideSpring(WidthInputs, Case):
                 ))  # fmt: skip
 
     def refusal(self) -> str:
-        """Reason why no shells are computed: the strip is a foil, or the spring is too long."""
+        """Reason why no shells are computed: the strip is too thin, or it has too many segments."""
         if self.leaf > FOIL * self.b:
             return (
                 f"the length of the leaves is {self.leaf / self.b:.0f} times the thickness, more "

@@ -41,9 +41,9 @@ def relative_uncertainty(context: Context, key: str, formal: float | None = None
 
 
 def sweep_uncertainty(context: Context) -> float:
-    """Relative uncertainty of factors on the sweep's mesh, from differences to other meshes.
+    """Relative uncertainty of width factors on the sweep's mesh, by comparison with all meshes.
 
-    The difference is taken at the width of the inputs and at the narrowest width.
+    It is the largest relative difference at the width of the inputs and at the narrowest width.
     """
     series = (context.series(key)[1] for key in ("f", "f_narrowest"))
     return max(abs(value / f[-1] - 1) for f in series for value in f)
@@ -62,21 +62,24 @@ def limits(context: Context) -> tuple[float, float]:
 
 
 def narrow(context: Context) -> tuple[list[float], list[float], list[float]]:
-    """Points of a limit: width/thickness, (plane stress)/shell - 1, uncertainty."""
+    """Lists for narrow strips: width/thickness, relative error of plane stress, its uncertainty."""
     h, f = stored(context, "sweep_narrow").T
     u = [sweep_uncertainty(context)] * len(h)
     return (h / context.inputs.b).tolist(), (limits(context)[0] / f - 1).tolist(), u
 
 
 def wide(context: Context) -> tuple[list[float], list[float], list[float]]:
-    """Points of a limit: (leaf length)/width, (plane strain)/shell - 1, uncertainty."""
+    """Lists for wide strips: leaf length/width, relative error of plane strain, its uncertainty."""
     h, f = stored(context, "sweep_wide").T
     u = [sweep_uncertainty(context)] * len(h)
     return (context.inputs.leaf / h).tolist(), (limits(context)[1] / f - 1).tolist(), u
 
 
 def at_end(which: int) -> OfContext:
-    """Function that returns a pair, limit and factor, at the narrow (0) or wide (-1) sweep end."""
+    """Function that returns a pair: limit of the width factor, and width factor by the shell.
+
+    The width is the smallest (`which` = 0) or the largest (`which` = -1) of the sweep.
+    """
 
     def pair(context: Context) -> Pair:
         h, f = map(float, sweep(context)[which])
@@ -143,7 +146,7 @@ def ends(context: Context) -> Pair:
 
 
 def uniform(context: Context) -> Pair:
-    """Pair of width factors on one mesh: with a straight head, with a uniform force on it."""
+    """Pair of width factors on one mesh: with a straight head, and with a uniform force on it."""
     line, force = map(float, stored(context, "uniform"))
     words = f"relative increase of the displacement by a uniform force: {1 - force / line:+.1e}"
     return Pair(line, force, 0.0, words)
@@ -158,7 +161,7 @@ def readings(context: Context) -> dict[tuple[Tail, Head], tuple[float, float]]:
 
 
 def meets(tail: Tail, head: Head) -> Margin:
-    """Function that returns a positive margin if k_1 is within MET of that of the paper's shell."""
+    """Function that returns a positive margin if k_1 is within MET of k_1 of the paper's shell."""
 
     def margin(context: Context) -> tuple[float, float, str]:
         printed = published("wang2023:k1-fea").value * N_PER_MM

@@ -65,7 +65,7 @@ def key_of(tail: Tail, head: Head) -> str:
 
 
 def thread(q: WidthInputs) -> float:
-    """Unit [m] of widths of narrow springs: the larger of b and THREAD times the leaf length."""
+    """Width [m] by which widths of narrow springs are divided: max of b and THREAD leaf lengths."""
     return max(q.b, THREAD * q.leaf)
 
 
@@ -75,7 +75,7 @@ def widths_of_both(q: WidthInputs) -> dict[str, float]:
 
 
 def sweeps(q: WidthInputs) -> dict[str, NDArray[Any]]:
-    """Arrays by name: width factors over width, for all end conditions, under a uniform force."""
+    """Arrays of width factors, by name: over width, for all end conditions, with uniform force."""
     swept = {
         "narrow": [ratio * thread(q) for ratio in NARROW],
         "medium": [ratio * q.leaf for ratio in MEDIUM if ratio * q.leaf > NARROW[-1] * thread(q)],
@@ -122,7 +122,7 @@ def fem_spring(
 
 
 def cells(q: WidthInputs, h: float, level: int, held: bool) -> int:
-    """Number of cells across half the width: one in plane strain, few for narrow strips."""
+    """Number of cells across half the width: one if `held` (plane strain), few if narrow."""
     if held:
         return 1
     return level if h <= NARROW[-1] * q.b else 3 * level
