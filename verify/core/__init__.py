@@ -1,1 +1,1 @@
-"""Base of all other packages: units, inputs, cases, rows, figure data, files and texts."""
+"""Base of all other packages of `verify`: units, inputs, cases, rows, figure data, files, texts."""

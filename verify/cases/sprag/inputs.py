@@ -1,4 +1,4 @@
-"""Inputs of a logarithmic sprag clutch: its wedge, its contacts, its engagement.
+"""Inputs of a clutch with logarithmic sprags: geometry of the wedge, contacts, engagement.
 
 Table 1 of the paper gives some of the inputs. The missing inputs are identified (`IDENTIFIED`) or
 assumed (`ASSUMED`). Rows that depend on an identified input have the status CALIBRATED.

@@ -1,4 +1,4 @@
-"""Rows of an engagement: Runge-Kutta steps against LSODA, energies, simple models, statements."""
+"""Rows that compare Runge-Kutta steps of an engagement with LSODA, energies and simple models."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace

@@ -33,7 +33,7 @@ UNEQUAL = "Eqs. 14-16 assume N_e = N_i; statics requires N_e/N_i = cos ω/cos ν
 
 @dataclass(frozen=True, kw_only=True)
 class Ended(Partnered):
-    """Row on a time at which slip starts or ends, by Runge-Kutta steps and by LSODA.
+    """Row on the time at which slip at the start ends, by Runge-Kutta steps and by LSODA.
 
     For a user's inputs, a difference of three time steps is accepted. If no contact slides, the
     status is SHOWN.

@@ -102,7 +102,7 @@ def boundary_fem(q: EngagementInputs, dt: float) -> tuple[float, float]:
 
 
 def boundaries_fem(q: EngagementInputs) -> dict[str, Array]:
-    """Array with rows: torque [N m], smallest locking friction over tan(nu), uncertainty of it."""
+    """Array with rows: torque [N m], smallest μ that locks over tan(nu), uncertainty of the ratio."""
     found = []
     for factor in TORQUES:
         boundary, half = boundary_fem(with_torque(q, factor), q.dt)
@@ -227,9 +227,10 @@ def guarded_fem(q: EngagementInputs, until: float) -> dict[str, Array]:
 
 
 def map_fem(q: EngagementInputs) -> dict[str, Array]:
-    """Array over torque: friction coefficients above which the clutch locks, and never slips.
+    """Array over torque: friction coefficient above which the clutch locks, and that without slip.
 
-    Both coefficients are given with the springs of the inputs and with weak springs.
+    Above the second coefficient, no contact ever slips. Both coefficients are given with the
+    springs of the inputs and with weak springs.
     """
     rows = []
     for factor in OVER:

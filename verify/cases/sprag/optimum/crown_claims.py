@@ -135,7 +135,7 @@ def endless(context: Context) -> tuple[float, float, str]:
 
 
 def to_make(context: Context) -> str:
-    """Text on half-space pressures of two crowns: that with unloaded ends, and the given crown."""
+    """Text on half-space pressures of the crown with unloaded ends and of the given crown."""
     if "free: R" not in measured(context):
         return NONE_FREE
     K_1, K_2, z_m = measured(context)["free"]

@@ -28,7 +28,7 @@ def outline(q: WedgeFormulas, *, turned: float, alpha_b: float, OC_e: float) -> 
 
 
 def sketch(q: WedgeFormulas) -> Sketch:
-    """Sketch of one pitch at first contact, to scale, in metres; the axis lies below."""
+    """Sketch of one pitch of the unloaded clutch, to scale, in metres; the axis lies below."""
     sprag, half = q.sprag, math.pi / q.z
     beta, OC_e = float(sprag.beta_0), float(sprag.OC_e)
     A, B, pole = q.R_i * ray(beta), q.R_e * ray(0.0), OC_e * ray(0.0)

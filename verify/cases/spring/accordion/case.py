@@ -131,7 +131,7 @@ class AccordionSpring(FreeStage):
         return frame.end_point(**self.paper_path, tail="mid-leaf")[0] / self.b
 
     def _of_radii(self, head: float, segments: float) -> float:
-        """Stiffness [N/m] with arc radii `head` and `segments` [m]; the tail has the true one."""
+        """Stiffness [N/m] with arc radii `head`, `segments` [m]; the tail has its true radius."""
         a = self.L1 / 2
         ends = [float(energy.head_flexibility(L1=self.L1, r=r)) for r in (head, self.R, segments)]
         to_tail = flexibility(self.n, a, segments, self.L2, self.alpha, "alternating", 1.0,

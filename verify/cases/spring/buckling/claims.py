@@ -80,8 +80,8 @@ def hinged(tail: str) -> Callable[[Context], tuple[float, float, str]]:
 def many_units(context: Context) -> tuple[list[float], list[float], list[float]]:
     """Relative shortenings at buckling, errors of Haringx's column, and uncertainties, shapes (k,).
 
-    The number n of segments increases, which makes both tend to zero: the ends of the spring, which
-    are not units, are 1/n of its length, and the shortening is proportional to 1/n^2.
+    The number n of segments increases, so that shortenings and errors tend to zero: the ends of the
+    spring, which are not units, are 1/n of its length. The shortening is proportional to 1/n^2.
     """
     q = context.inputs
     xi = column.critical_shortening("free", **q.path | {"n": np.array(MANY)}, b=q.b, nu=q.nu)

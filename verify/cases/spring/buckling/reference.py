@@ -125,7 +125,7 @@ def unit_fem(q: BucklingInputs, level: int) -> dict[str, float]:
 
 
 def shape(one: "PressedFrame", state: Any, name: str) -> Field:
-    """Displacement field of the guided spring at its critical point."""
+    """Displacements of the guided spring at which it buckles if the head is released."""
     return Field(
         name=name, points=one.points, cells=one.elements[:, :2],
         point_data={"displacement": state.u[:, :2]}, units={"displacement": "m"},

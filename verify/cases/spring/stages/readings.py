@@ -1,7 +1,7 @@
 """Sixteen readings of the paper's spring, compared with Eq. 10.
 
 The paper does not state the supports of head and tail, the radius of the arcs (r or r + b/2), or
-the increase of the stiffness of its shell model by the width. A reading is chosen only by its k_1.
+by how much the width of its shell model increases the stiffness. A reading is chosen only by k_1.
 Its k_2 and point A are then predictions, but have the status CALIBRATED.
 """
 

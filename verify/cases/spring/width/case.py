@@ -140,7 +140,7 @@ class WideSpring(WidthInputs, Case):
         return shells.solve(self, level)
 
     def comparisons(self) -> Iterator[Comparison | Check]:
-        """Rows of beams and plates against shells, solids and printed values."""
+        """Rows that compare beams and plates with shells, solids and printed values."""
         spring = WideSpring
         states = {ends: State(self.held(*ends), shells.key_of(*ends), "", displayed=False)
                   for ends in ENDS}  # fmt: skip

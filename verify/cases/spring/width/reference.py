@@ -65,7 +65,7 @@ def key_of(tail: Tail, head: Head) -> str:
 
 
 def thread(q: WidthInputs) -> float:
-    """Width [m] by which widths of narrow springs are divided: max of b and THREAD leaf lengths."""
+    """Reference width [m] of narrow springs: the larger of b and THREAD times the leaf length."""
     return max(q.b, THREAD * q.leaf)
 
 
@@ -155,7 +155,7 @@ def fem_pulled(
     mesh: "ShellMesh", b: float, h: float, material: "Elastic", head: str, *,
     held: bool = False, uniform: bool = False,
 ) -> "ShellSolution":  # fmt: skip
-    """Solution for half of the width under 1 N along x on its head (2 N on the whole width)."""
+    """Solution for half of the width under 1 N along x on the head (2 N on the whole width)."""
     from fem.shell.solve import solve_shell
 
     supports: dict[str | int, Any] = {"tail": "xyzabc", "middle": "zab", "head": head}
