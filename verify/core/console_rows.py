@@ -27,7 +27,7 @@ def row_cells(rows: Sequence[Row]) -> list[tuple[str, ...]]:
 
 
 def title(rows: Sequence[Row]) -> str:
-    """Title of the table with the references that the formulas are compared with."""
+    """Title of the table; it names the references that the formulas are compared with."""
     names = {
         PRINTED if (name := _full_name(row)).startswith("printed ") else name
         for row in rows if row.kind in COMPARED and row.reference is not None

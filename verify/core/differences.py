@@ -131,7 +131,7 @@ def _scale_name(row: Row) -> str:
 
 
 def _allowed(row: Row, U: float | None) -> tuple[float, float] | None:
-    """Expected interval of an approximation, or ± the tolerance of another judged row."""
+    """Expected interval of an approximation or of a row that is not judged; otherwise ± `U`."""
     if row.kind is Kind.APPROXIMATION or row.status in UNJUDGED:
         return row.interval
     return None if U is None else (-U, U)

@@ -102,7 +102,7 @@ def boundary_fem(q: EngagementInputs, dt: float) -> tuple[float, float]:
 
 
 def boundaries_fem(q: EngagementInputs) -> dict[str, Array]:
-    """Array with rows: torque [N m], smallest μ that locks over tan(nu), uncertainty of the ratio."""
+    """Array with rows: torque [N m], smallest μ that locks over tan(nu), uncertainty of this."""
     found = []
     for factor in TORQUES:
         boundary, half = boundary_fem(with_torque(q, factor), q.dt)

@@ -21,7 +21,7 @@ DEEP_ANGLES = (50.0, 55.0, 60.0, 65.0, 70.0, 75.0, 80.0, 85.0, 90.0)
 
 
 class MapInputs(SpringInputs):
-    """Inputs of a spring around which the maps are computed, and of the travel of its roller."""
+    """Inputs of the spring whose dimensions are varied in the maps, and of its roller's path."""
 
     x_r: float = quantity(
         "8.3 mm", "mm", "x_r", "travel of the roller along the spring", gt=0, le=1e3,
