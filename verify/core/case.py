@@ -113,7 +113,7 @@ class Dynamic:
 
 @dataclass(frozen=True, kw_only=True)
 class Portion:
-    """Some finite-element values of a case, computed faster than all; for sweeps of their rows.
+    """Some finite-element values of a case, computed faster than all; for sweeps of few rows.
 
     `fem(inputs, level)` returns the values `keys`, which are equal to those of `fem` of the case on
     the same mesh. `levels` are at least three levels, from coarse to fine.

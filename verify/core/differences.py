@@ -125,7 +125,7 @@ def offset(row: Row) -> float | None:
 
 
 def _scale_name(row: Row) -> str:
-    """Name of the scale of the row; empty if the scale is the magnitude of the formula."""
+    """Name of the scale of the row; empty if the scale is the magnitude of the formula's value."""
     itself = row.analytic is not None and row.scale == abs(row.analytic)
     return "" if itself and row.kind in COMPARED and row.reference else row.scale_name
 

@@ -186,7 +186,7 @@ def order_fem(q: EngagementInputs) -> Array:
 
 
 def designs_fem(q: EngagementInputs) -> dict[str, Array]:
-    """Largest N [N] without a crown, with each crown of the paper, with two other centroids."""
+    """Largest N [N] without a crown, with each printed crown, with two other sprag centroids."""
     crowns = [q.model_copy(update={"z_m": 0.0})] + [
         q.model_copy(update={"K_1": K_1, "K_2": K_2, "z_m": z_m}) for K_1, K_2, z_m in DESIGNS
     ]

@@ -126,7 +126,7 @@ def never_idle(context: Context) -> tuple[float, float, str]:
 
 
 def by_default(context: Context) -> Pair:
-    """Pair: N_max [N] by LSODA and with the automatic speed band, for the run that differs most."""
+    """Pair: N_max [N] by LSODA and with the automatic speed band, where both differ most."""
     _, _, ours, theirs = context.fem[-1].arrays["sweep"].T
     found = farthest(theirs, ours, 0.0)
     off = abs(found.value / found.reference - 1)

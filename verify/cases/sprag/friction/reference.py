@@ -102,7 +102,7 @@ def boundary_fem(q: EngagementInputs, dt: float) -> tuple[float, float]:
 
 
 def boundaries_fem(q: EngagementInputs) -> dict[str, Array]:
-    """Array with rows: torque [N m], smallest μ that locks over tan(nu), uncertainty of this."""
+    """Array with rows: torque [N m], μ_b/tan(nu), its uncertainty; the clutch locks above μ_b."""
     found = []
     for factor in TORQUES:
         boundary, half = boundary_fem(with_torque(q, factor), q.dt)
@@ -227,10 +227,10 @@ def guarded_fem(q: EngagementInputs, until: float) -> dict[str, Array]:
 
 
 def map_fem(q: EngagementInputs) -> dict[str, Array]:
-    """Array over torque: friction coefficient above which the clutch locks, and that without slip.
+    """Array over torque: limits of the friction coefficient for locking, and for no slip at all.
 
-    Above the second coefficient, no contact ever slips. Both coefficients are given with the
-    springs of the inputs and with weak springs.
+    Above the first limit, the clutch locks; above the second, no contact slips. Both limits are
+    given with the springs of the inputs and with weak springs.
     """
     rows = []
     for factor in OVER:

@@ -101,9 +101,9 @@ def lundberg(context: Context) -> tuple[float, float, str]:
 
 
 def turns(lines: Array) -> Array:
-    """Relative rise of the pressures of each line, shape (n,).
+    """Relative rise from the minimum of each line of pressures to its lower end value, shape (n,).
 
-    It is the lower of the first and the last pressure, divided by the lowest, minus 1.
+    The end values are the first and the last pressure of a line.
     """
     lowest = lines.min(axis=1)
     return np.asarray(np.minimum(lines[:, 0], lines[:, -1]) / lowest - 1)
@@ -164,9 +164,9 @@ def course(line: Array) -> str:
 
 
 def larger_K_1(context: Context) -> tuple[float, float, str]:
-    """Relative increase of p_max above the lowest with the optimal K_1 of the smaller torque.
+    """Relative excess of p_max above its minimum, if K_1 is that optimal for the smaller torque.
 
-    K_2 and z_m are optimal for this K_1. The increase has a negative sign if the optimal K_1 of the
+    K_2 and z_m are optimal for this K_1. The excess has a negative sign if the optimal K_1 of the
     smaller torque exceeds that of the larger torque.
     """
     found = measured(context)

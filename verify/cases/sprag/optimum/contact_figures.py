@@ -95,7 +95,7 @@ def at_counts(context: Context) -> Curves:
 
 
 def apart(context: Context) -> Curves:
-    """Figure of the drop of several crowns over the position, from mid-length to the sprag's end."""
+    """Figure of the drops of several crowns, from mid-length to the end of the sprag."""
     q = context.inputs
     y = np.linspace(0, q.l / 2, 121)
     curves = []

@@ -48,7 +48,7 @@ def largest_fem(q: OptimumInputs, crowns: Array) -> float:
 
 
 def less_fem(q: OptimumInputs, x: Array, known: list[Answer]) -> dict[str, Array]:
-    """Optimal crown for the second torque by its surrogate; its pressures at both torques."""
+    """Optimal crown for the second torque by a surrogate, and its pressures at both torques."""
     assert q.T_less is not None
     surrogate = best_crown.fit_regimes(x, known, q.box)
     crown = evolve(surrogate.predict, q.box).x

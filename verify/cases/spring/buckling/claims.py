@@ -41,7 +41,7 @@ def one_ratio(context: Context) -> tuple[float, float, str]:
 
 
 def stays(tail: str) -> Callable[[Context], tuple[float, float, str]]:
-    """Function that returns a margin: smallest determinant of the head's stiffness, free head.
+    """Function that returns a margin: smallest determinant of the stiffness matrix of a free head.
 
     It is the smallest over the states of compression. The determinant is divided by that of the
     unloaded spring and vanishes at a critical point. The uncertainty and the text of the row are
@@ -62,7 +62,7 @@ def stays(tail: str) -> Callable[[Context], tuple[float, float, str]]:
 
 
 def hinged(tail: str) -> Callable[[Context], tuple[float, float, str]]:
-    """Function that returns a margin: smallest determinant of the head's stiffness, hinged head.
+    """Function that returns a margin: smallest determinant of the stiffness matrix, hinged head.
 
     It is the smallest over the states that are computed with a guided head.
     """

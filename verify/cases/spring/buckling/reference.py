@@ -32,7 +32,7 @@ UNIT_PIECES = slice(2, 5)  # arc, leaf, arc of the first middle unit
 
 
 def solve(q: BucklingInputs, level: int) -> Level:
-    """Results of a level: stiffnesses of a unit, and critical points of the spring with both tails.
+    """Results of a level: stiffnesses of a unit, critical points of the spring with either tail.
 
     One of the levels also has equilibrium paths, and springs of other dimensions.
     """

@@ -90,7 +90,7 @@ class CurveSpring(CurveInputs, Case):
 
     @shared
     def linear(self) -> Stages:
-        """Linear theory in closed form: F(U) is one line before contact and another after it."""
+        """Linear theory in closed form: F(U) is straight before contact, and straight after it."""
         ends: dict[str, Any] = {"head": self.head, "tail": self.tail}
         factor = self.width_factor
         return stages(**self.path, **strip_of(self), **ends, width_factor=factor, theory="shear")

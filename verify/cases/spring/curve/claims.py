@@ -65,7 +65,7 @@ def beside(context: Context, other: Array) -> tuple[FittedLines, FittedLines]:
 
 
 def apart(context: Context, other: Array) -> float:
-    """Largest relative difference of the slopes of both curves of `beside`."""
+    """Largest relative difference of slopes between the inputs' coarse curve and `other`."""
     own, other_lines = beside(context, other)
     return own.apart(other_lines)
 

@@ -32,12 +32,12 @@ def judged(q: StagesInputs) -> AlongLine:
 
 
 def beside(context: Context) -> Iterator[Curves]:
-    """Figures of the paper's spring and Eq. 10; for other inputs, a figure of all end conditions."""
+    """Figures of the paper's spring with Eq. 10; for other inputs, figure of all end conditions."""
     yield from _beside_eq_10(context.inputs) if context.is_paper else (_bounds(context.inputs),)
 
 
 def _beside_eq_10(q: StagesInputs) -> Iterator[Curves]:
-    """Figures of F(U) by Eq. 10, by the readings with the printed k_1, and by the inputs."""
+    """Figures of F(U) by Eq. 10, by the readings with the printed k_1, and for the inputs."""
     lines = eq10()
     tests = [published(f"wang2023:{name}-test").value * 1e3 for name in ("k1", "k2")]
     U = np.linspace(0.0, EQ10_END, 60)
