@@ -67,7 +67,7 @@ def loads(library: str) -> bool:
 
 
 def missing_libraries(need: str = "") -> tuple[str, ...]:
-    """Missing shared libraries: all, or those for the use `need`; empty if not on Linux."""
+    """Shared libraries that are missing for the use `need` ("": any use); empty if not on Linux."""
     if sys.platform != "linux":
         return ()
     return tuple(library for library, _, of in LIBRARIES if need in ("", of) and not loads(library))
@@ -80,7 +80,7 @@ def install_line(libraries: Collection[str]) -> str:
 
 
 def probe(script: str, seconds: float) -> str:
-    """Error of Python code in a separate process, in one line; "" if the code succeeds."""
+    """Run Python code in a separate process; returns its error in one line, "" if it succeeds."""
     try:
         done = subprocess.run(  # noqa: S603 - this interpreter and the project's script
             [sys.executable, "-c", script],
@@ -111,7 +111,7 @@ def missing_for_pictures(seconds: float = RENDER_SECONDS) -> str:
 
 
 def remedy_for_pictures() -> str:
-    """Packages to install if pyvista cannot draw; empty on systems other than Linux."""
+    """Text that names the packages to install if pyvista cannot draw; empty if not on Linux."""
     if sys.platform != "linux":
         return ""
     absent = [library for library in OPENGL if not loads(library)]

@@ -15,7 +15,7 @@ LIMITS_TITLE = "Limits of the part"  # table of a check
 
 @dataclass(frozen=True, kw_only=True)
 class Field:
-    """Solved mesh for pictures and files: `points` (n, 2 or 3), `cells` (m, corners), data."""
+    """Mesh with results, for pictures and files: `points` (n, 2 or 3) and `cells` (m, corners)."""
 
     name: str
     points: Array
@@ -32,12 +32,12 @@ class Picture:
     `data` is the name of point or cell data of `field`, `component` one of its columns. Values are
     divided by `factor` to obtain `unit`. Without data, the body has one colour. `mirror` lists the
     coordinates ("x", "y") to be reflected: "x" completes a part of a symmetric body at the plane x
-    = 0. `width` extends a line to a ribbon that can be rotated [unit of the points]. `share` is the
-    ratio of the drawn largest displacement to the size of the body, if the default would hide the
-    shape. `window` (left, bottom, right, top) selects a part of the undeformed body; displacements
-    are then relative to their mean in this part. Lengths along y are drawn `stretch` times as large
-    as lengths along x. With `decades`, the data are logarithms to base ten, and the colour bar has
-    powers of ten in `unit`.
+    = 0. With a `width` [unit of the points], a line is drawn as a ribbon that can be rotated.
+    `share` is the largest displacement as drawn, divided by the size of the body; None selects the
+    default. `window` (left, bottom, right, top) selects a part of the undeformed body;
+    displacements are then relative to their mean in this part. Lengths along y are drawn `stretch`
+    times as large as lengths along x. With `decades`, the data are logarithms to base ten, and the
+    colour bar has powers of ten in `unit`.
     """
 
     field: str
@@ -85,8 +85,8 @@ class Refinement:
     """Plot of errors on increasingly fine meshes with logarithmic axes.
 
     Each entry of `errors` contains a name and relative errors (m,), which are drawn over `cells`
-    (m,), the number of cells on the length in `x_label`. A line of slope `order` is drawn through
-    the last point of each entry.
+    (m,), the numbers of cells along the length that `x_label` names. A line of slope `order` is
+    drawn through the last point of each entry.
     """
 
     title: str
@@ -184,7 +184,7 @@ class Map:
 
 @dataclass(frozen=True, kw_only=True)
 class Panel:
-    """A state of a thin body: `lines` (m, 2), `faint` lines behind them, and `dots` (m, 2)."""
+    """Drawing of one state of a body: `lines` (m, 2), `faint` lines behind them, `dots` (m, 2)."""
 
     name: str
     lines: tuple[Array, ...]
@@ -244,8 +244,9 @@ class Zones:
 class Density:
     """Plot of a quantity `z` (k, m) over a plane, in colours.
 
-    Columns are at `x` (m,), rows at `y` (k,), in equal steps. `range` is the colour scale, which
-    compared figures share; None selects the range of z. `point` is a position and its name.
+    Columns are at `x` (m,), rows at `y` (k,), in equal steps. `range` is the range of the colour
+    scale, which is the same in compared figures; None selects the range of z. `point` is a position
+    and its name.
     """
 
     title: str
@@ -286,11 +287,11 @@ class Mode:
 
 @dataclass(frozen=True, kw_only=True)
 class Whirl:
-    """Modes of coaxial shafts in space, animated on the page, on one scale along z.
+    """Modes of coaxial shafts in space, animated on the page; all have the same scale along z.
 
-    `outlines` are z and radius (m,) of each shaft; a step has two points with equal z. `names` are
-    the names of the shafts. `supports` are the positions z of bearings to ground, `links` the
-    positions of bearings between shafts. Lengths are in `unit`.
+    `outlines` are z and radius (m,) of each shaft; where the radius changes abruptly, two
+    points have the same z. `names` are the names of the shafts. `supports` are the positions z of
+    bearings to ground, `links` the positions of bearings between shafts. Lengths are in `unit`.
     """
 
     title: str
@@ -410,7 +411,7 @@ class FormulaValue:
 
     @property
     def label(self) -> str:
-        """Text of the value; a formula as printed is marked, if it differs from the corrected."""
+        """Meaning of the value, with the addition "as printed" if its `form` is "as printed"."""
         return f"{self.what}, as printed" if self.form == "as printed" else self.what
 
 

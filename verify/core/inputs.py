@@ -7,7 +7,8 @@ A parameter file is TOML:
     r_i = "60 mm"
     nu = 0.3
 
-An input may be a list of tables, [[inputs.supports]]; each entry is a separate model.
+An input may be a list of tables, [[inputs.supports]]; each entry is an object of another subclass
+of `Inputs`.
 """
 
 import math
@@ -92,7 +93,7 @@ class Inputs(BaseModel):
 
 
 def _entry(table: str, number: int, entry: Inputs) -> InputValue:
-    """One entry of a table as a line with the values that differ from the defaults."""
+    """One entry of a table as a line; inputs with the value of an omitted input are left out."""
     parts = [
         f"{name} {value if isinstance(value, str) else _with_unit(value, meta(field)['unit'])}"
         for name, field in type(entry).model_fields.items()
@@ -231,7 +232,7 @@ def read_parameter_file(path: Path) -> tuple[str, str, Mapping[str, Any]]:
 
 
 def _quotes(error: tomllib.TOMLDecodeError, text: str) -> str:
-    """Correction of a value with a unit but without quotes (invalid TOML); "" for other errors."""
+    """Advice for a value with a unit but without quotes (invalid TOML); "" for other errors."""
     place = re.search(r"at line (\d+)", str(error))
     line = text.split("\n")[int(place[1]) - 1] if place else ""
     bare = re.match(r"\s*([\w-]+)\s*=\s*([-+\d.][-+\d.eE]*\s*[A-Za-zµμ°%][^\"'#]*)", line)
@@ -279,7 +280,7 @@ def missing(model: type[Inputs], needed: Sequence[str]) -> str:
 
 
 def _meant(key: str, model: type[Inputs]) -> str:
-    """Question with the input whose name or symbol is similar to an unknown key; "" if none is."""
+    """Question "did you mean ...?" about an unknown key; "" if no name or symbol is similar."""
     fields = {name: meta(field) for name, field in model.model_fields.items()}
     known = {one["symbol"].lower(): name for name, one in fields.items() if one["symbol"]}
     known |= {name.lower(): name for name in fields}
@@ -291,7 +292,7 @@ def _meant(key: str, model: type[Inputs]) -> str:
 
 
 def _entries(model: type[Inputs], raw: Any, where: str, place: str) -> tuple[Inputs, ...]:
-    """Entries of a table; messages number them from 1."""
+    """Validated entries of a table; error messages number the entries from 1."""
     if not isinstance(raw, list) or not all(isinstance(entry, dict) for entry in raw):
         raise InputError(f"{where}: {place}: needs tables [[{place}]], {_got(raw)}")
     if len(raw) > MOST_ENTRIES:
@@ -304,7 +305,7 @@ def _entries(model: type[Inputs], raw: Any, where: str, place: str) -> tuple[Inp
 
 
 def value_of(field: FieldInfo, raw: Any, where: str) -> Any:
-    """A raw TOML value in the type of the model, without a check of its bounds.
+    """Convert a raw TOML value to the type of the input, without a check of its bounds.
 
     Raises InputError if the type, the unit or the dimension is wrong.
     """
@@ -383,7 +384,7 @@ def broken_rule(model: type[Inputs], wrong: ValidationError, place: str) -> str:
 
 
 def beyond(name: str, value: Any, word: str, bound: float, unit: str) -> str:
-    """Text that a value [SI] violates a bound [SI]; both are displayed in the unit of the input."""
+    """Text which states that a value [SI] violates a bound [SI]; both are displayed in `unit`."""
     return f"{name} = {_with_unit(value, unit)}: must be {word} {_with_unit(bound, unit)}"
 
 

@@ -21,7 +21,7 @@ class _Reader(pickle.Unpickler):
 
 class _Writer(pickle.Pickler):
     def reducer_override(self, value: Any) -> Any:
-        """Reduction of enumeration members to their values (Python 3.11.2 would use getattr)."""
+        """Pickle enumeration members by class and value (Python 3.11.2 would use getattr)."""
         return (type(value), (value.value,)) if isinstance(value, Enum) else NotImplemented
 
 

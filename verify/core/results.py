@@ -1,4 +1,4 @@
-"""Data types of the results of a run, which reports read (without computation or drawing)."""
+"""Data types of the results of a run, without computation or drawing; reports read them."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -35,7 +35,7 @@ class Kind(StrEnum):
 
 
 class Status(StrEnum):
-    """Status of a judged row, from worst to best."""
+    """Status of a judged row; the members are in order from worst to best."""
 
     FAIL = "FAIL"
     SKIP = "SKIP"
@@ -60,7 +60,7 @@ class Published:
 
 @dataclass(frozen=True, kw_only=True)
 class Partner:
-    """A second value of a row that is neither the formula nor the finite-element result."""
+    """Value of a row from neither the formula nor finite elements; `by` names its origin."""
 
     by: str
     value: float
@@ -214,8 +214,8 @@ class PaperClaim:
 class PaperCell:
     """A cell of a printed table; for a number, `value` is its key ("paper:id").
 
-    `inputs` are the inputs of cases with this number, `rows` the judged rows that compare it, and
-    `errata` the ids of errata of the paper about it.
+    `inputs` are the inputs of cases whose default is this number, `rows` the judged rows that use
+    the number, and `errata` the ids of errata of the paper that concern it.
     """
 
     text: str
@@ -256,8 +256,9 @@ class ValidityLimit:
     """Region in which the error of a formula is within `limit`.
 
     Points are counted as inside, outside or undecided. `words` describes the largest box whose
-    points are all inside, including their error bars; for a star, it describes the range of each
-    input alone. `box` contains the ranges: the name of an input and two values in its unit.
+    points are all inside, including their error bars; for a star (one input varied at a time), it
+    describes the range of each input alone. `box` contains the ranges: the name of an input and two
+    values in its unit.
     """
 
     limit: float
@@ -272,9 +273,9 @@ class ValidityLimit:
 class ValidityRegion:
     """Measured relative errors (points,) of a formula over some inputs, and their error bars.
 
-    The errors are on a grid of one or two `axes`, with the last index varying fastest. For a star,
-    they are on the axis along which the error changes most. `breaks` is the input with which the
-    second limit is exceeded first.
+    The errors are on a grid of one or two `axes`, with the last index varying fastest. For a star
+    (one input varied at a time), they are on the axis along which the error changes most. `breaks`
+    states at which value of which input the error first exceeds the second of the `limits`.
     """
 
     over: str
@@ -345,7 +346,7 @@ class Validity:
 
 @dataclass(frozen=True, kw_only=True)
 class ScaleInput:
-    """A factor in the divisor of a ratio: an input of value `own` [`unit`], raised to `power`."""
+    """A factor in the divisor of a ratio: an input (default `own` [`unit`]), raised to `power`."""
 
     name: str
     symbol: str
@@ -356,7 +357,7 @@ class ScaleInput:
 
 @dataclass(frozen=True, kw_only=True)
 class StudyAxis:
-    """An input that a study varies; `own` is its value in the case, in `unit`.
+    """An input that a study varies; `own` is its nominal value in `unit`.
 
     With `log`, successive values of the input have equal ratios. `ratio` is the symbol of a
     dimensionless ratio: `factor` times the value of the input, divided by the product of the inputs
@@ -428,7 +429,7 @@ class CrossState(StrEnum):
 
 @dataclass(frozen=True, kw_only=True)
 class Crosscheck:
-    """One quantity by the project and by a second solver, on the same mesh with the same loads.
+    """One quantity, computed by the project and by a second solver with the same mesh and loads.
 
     `ours` and `theirs` are in `unit`. `difference` (theirs divided by ours, minus one) and
     `allowed` are relative. `why` is the cause of a difference, or the reason why nothing was
@@ -474,7 +475,7 @@ class Change:
 
 @dataclass(frozen=True, kw_only=True)
 class Drift:
-    """Changes since a `release`.
+    """Changes of rows since a `release`.
 
     `compared` is the number of rows that exist in both versions, `tightened` the number of those
     rows with stricter requirements. `tighter` contains the stricter requirements and intervals.
@@ -500,9 +501,10 @@ class ReadingsTried:
     """A printed number, the formula's value by the first reading, and a search for other readings.
 
     `hits` combinations of readings give the number; `readings` is the best combination, with its
-    `value`, and is empty if there is none. `chance` is the expected number of combinations that
-    give the number by chance with at most as many changes. If nothing was tried, `missing` is the
-    reason. `reference` is the key of the number or of the erratum, "paper:id".
+    `value`, and is empty if there is none. Among the combinations with at most
+    as many changes as the best, `chance` is the expected number of those that give the number by
+    chance. If nothing was tried, `missing` is the reason. `reference` is the key of the number or
+    of the erratum, "paper:id".
     """
 
     reference: str
@@ -524,7 +526,7 @@ class ReadingsTried:
 
 @dataclass(frozen=True, kw_only=True)
 class BudgetPart:
-    """Contribution of one cause to a relative difference, by a computation without this cause.
+    """Contribution of one cause to a relative difference, from a computation without this cause.
 
     `u` is the half-width of the uncertainty of `contribution`. Both are None if there was no such
     computation; `note` then states the reason. A cause `shared` by formula and finite elements is
@@ -629,7 +631,7 @@ class Survivor:
 
 @dataclass(frozen=True, kw_only=True)
 class Caught:
-    """Inserted faults (mutants) that the suite detects.
+    """Numbers of inserted faults (mutants) that the suite detects, and mutants not detected.
 
     If nothing was measured, `missing` is the reason. `references` contains the shares of rows that
     fail if their references are changed. `stale` lists the groups that were not measured for this

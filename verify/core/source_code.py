@@ -54,16 +54,16 @@ def modules_of(function: Any) -> tuple[str, ...]:
 
 
 def whole_parts_of(function: Any) -> tuple[dict[str, str], list[str]]:
-    """Parts of its module that a function uses (name: code), and all modules it depends on."""
+    """Code that a function uses in its module, by name, and all modules on which it depends."""
     used, start = _used(function, whole=True)
     return used, sorted(_reached(start, whole=True))
 
 
 def parts_of(function: Any) -> tuple[dict[str, str], list[str]]:
-    """Parts of its module that a `fem` function uses (name: code), and imported modules.
+    """Code that a `fem` function uses in its module, by name, and other modules it depends on.
 
-    The modules are those that the function imports, directly or indirectly. If COMPILED is one of
-    them, the function returns results of formulas; all formulas are then included.
+    The other modules are those that the function imports, directly or indirectly. If COMPILED is
+    one of them, the function returns results of formulas; all formulas are then included.
     """
     used, start = _used(function, whole=False)
     reached = _reached(start, whole=False)
@@ -73,7 +73,7 @@ def parts_of(function: Any) -> tuple[dict[str, str], list[str]]:
 
 
 def group_hash(modules: Collection[str]) -> str:
-    """Hash of the code of modules; a name that one imports from another is replaced by its code."""
+    """Hash of the code of modules; names imported from one of them are replaced by their code."""
     group = frozenset(modules)
     name = f"group of {' '.join(sorted(group))}"
     return remembered(name, group_hash, lambda: _group_hash(group), group)
@@ -105,10 +105,10 @@ def _digest(text: str) -> str:
 
 
 def _used(function: Any, *, whole: bool) -> tuple[dict[str, str], set[str]]:
-    """Parts of its module that a function uses (name: code), and modules that they import.
+    """Code that a function uses in its module, by name, and modules that this code imports.
 
-    A function of a case that is one class has the method `code`, which returns the used parts of
-    the class: module, class and members.
+    If a case is one class, its functions have the method `code`, which returns the used members of
+    the class: module, class and names.
     """
     if hasattr(function, "code"):
         return _used_in_class(function, whole=whole)
@@ -119,10 +119,10 @@ def _used(function: Any, *, whole: bool) -> tuple[dict[str, str], set[str]]:
 
 
 def _used_in_class(function: Any, *, whole: bool) -> tuple[dict[str, str], set[str]]:
-    """Code and modules of a function with the method `code`, and of members that its modules read.
+    """Code that a function with the method `code` uses, by name, and modules that it imports.
 
-    A reference in a separate file reads sizes from the case: attributes of the case that its
-    modules read are therefore included.
+    A reference in a separate file reads sizes from the case. Therefore, the attributes of the case
+    that the imported modules read are included.
     """
     read: frozenset[str] = frozenset()
     while True:
@@ -151,7 +151,7 @@ def _read_off_a_case(module: str) -> frozenset[str]:
 def _used_in(
     module: ModuleType, owner: str, names: Sequence[str], *, whole: bool
 ) -> tuple[dict[str, str], set[str]]:
-    """Code and modules for some names of a module, or for members of its class `owner`.
+    """Code of some names of a module, or of members of its class `owner`, and imported modules.
 
     Formulas that members use to compute sizes are included.
     """
@@ -173,7 +173,7 @@ def _used_in(
 
 @cache
 def _parts(module: str, owner: str) -> dict[str, ast.stmt]:
-    """Statements of a module by defined name; members of the class `owner` have a leading point."""
+    """Statements of a module by defined name; names of members of `owner` begin with a point."""
     body = syntax.tree(module).body
     if not owner:
         return {name: node for node in body for name in _defined(node)}
@@ -239,7 +239,7 @@ def _imported_by(module: str, *, whole: bool) -> Iterator[str]:
 
 
 def _is_of_both(module: str) -> bool:
-    """Whether the code of analytic that a module imports belongs to both formulas and reference."""
+    """Whether imports of analytic in a module belong to both the formulas and the reference."""
     return module.startswith("analytic.") or OF_BOTH.search(module) is not None
 
 
@@ -310,7 +310,7 @@ def _read(
 
 
 def _exported(module: str, bound: Mapping[str, str]) -> list[str]:
-    """Meanings of names that a module imports only so that others can import them."""
+    """Meanings of names that a module imports only so that other modules can import them."""
     used = syntax.names(module)
     top = (one.node for one in syntax.imports(module) if one.at_top)
     names = {alias.asname or alias.name for node in top for alias in node.names}

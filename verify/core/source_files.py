@@ -129,7 +129,7 @@ def _modules() -> Mapping[str, str]:
 
 @cache
 def _data() -> Mapping[str, list[str]]:
-    """Data files (other than modules), by the nearest package folder above, or by their reader."""
+    """Data files (not modules), by the folder of their package, or by the file that reads them."""
     packages = {_folder(path) for path in _modules().values()}
     found: dict[str, list[str]] = {}
     for path in _sources():

@@ -46,7 +46,7 @@ class Memory:
     def keep(self) -> None:
         """Write new entries.
 
-        An error of the store is ignored: the results are then only computed again.
+        An error of the store is ignored; the next process then computes these entries again.
         """
         if self._new:
             with suppress(OSError):
@@ -79,7 +79,7 @@ def share() -> None:
 
 
 def remembered(name: str, function: Any, make: Callable[[], T], modules: Collection[str] = ()) -> T:
-    """Result of `make` for a function of the project, from the stored hashes if these are in use.
+    """Result of `make`; for a function of the project, it is stored if `use` was called before.
 
     The result may depend on the imports of the function's module, or on the imports of `modules`.
     """

@@ -1,6 +1,7 @@
 """Store of results that take time to compute: one SQLite file, by kind, subject and key.
 
-A key includes all data on which a result depends; therefore, an entry is never wrong, only unused.
+A key includes all data on which a result depends. If the data change, the key changes: an entry is
+never wrong, but may be unused.
 Every commit is complete: a process that is killed loses at most the entry that it was writing.
 Several processes can use the store at the same time.
 
@@ -166,7 +167,7 @@ class Store:
         return found
 
     def _note(self, kind: str, keys: Sequence[str]) -> None:
-        """Store the time of reading of entries, so that other entries are removed before them."""
+        """Store the present time as the last reading of entries; they are then removed later."""
         lines = [(kind, key, time.time()) for key in keys]
         # a note is no reason to fail, or to wait for another process that writes
         with suppress(OSError), self._database.writing(patience=0.0) as database:

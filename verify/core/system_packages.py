@@ -110,7 +110,7 @@ def _update() -> str:
 
 
 def _run(words: Sequence[str]) -> tuple[int, str]:
-    """Exit status and output of a command without questions; Ctrl-C waits for its end."""
+    """Run a command that asks no questions, to its end even after Ctrl-C; status and output."""
     quiet = {**os.environ, "DEBIAN_FRONTEND": "noninteractive", "LC_ALL": "C"}
     with subprocess.Popen(  # noqa: S603 - the project's command
         words, env=quiet, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,

@@ -1,4 +1,4 @@
-"""Unit systems of an answer: units of the case (mm, N, MPa), SI, or inch and pound-force."""
+"""Unit systems of displayed values: units of the case (mm, N, MPa), SI, or inch and pound-force."""
 
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -94,7 +94,7 @@ def ratio(unit: str, target: str) -> float:
 
 
 def text_in(text: str, system: System) -> str:
-    """Sentence with converted numbers: all numbers with a unit, also in lists and ranges.
+    """Sentence in which all numbers with a unit are converted, also those in lists and ranges.
 
     >>> text_in("d is 25.4 mm; 10 to 20 MPa", "inch")
     'd is 1 in; 1.45 to 2.9 ksi'
@@ -114,7 +114,7 @@ def cells_in(lines: Iterable[Sequence[str]], system: System) -> list[tuple[str, 
 
 
 def _phrase(phrase: str, names: Sequence[str], system: System) -> str:
-    """Converted numbers and their unit; each number has at least as many digits as before."""
+    """Text of converted numbers and their unit, from a `phrase` of numbers with one unit."""
     unit = next(name for name in names if phrase.endswith(f" {name}"))
     target = unit_in(unit, system)
     numbers = phrase.removesuffix(f" {unit}")
@@ -122,7 +122,7 @@ def _phrase(phrase: str, names: Sequence[str], system: System) -> str:
 
 
 def _text(number: str, factor: float) -> str:
-    """Text of a converted number, with its previous number of digits, within bounds."""
+    """Text of `number` times `factor`, with the same number of digits, at least 3 and at most 5."""
     sign, bare = ("±", number[1:]) if number[0] == "±" else ("", number)
     value = float(bare.replace(",", "")) * factor
     digits = len(re.sub(r"e.*|[-+.,]", "", bare).lstrip("0"))

@@ -103,17 +103,19 @@ class FormulaVerdict:
 
     `source` cites the paper by first author and year. `error` and `U` are those of the row
     `worst_row` at the default inputs, which has the largest error. `above` and `below` are the
-    largest errors on both sides over all points, including error bars. `within` is the accuracy
-    class for ACCURATE and PART.
+    largest errors of values that are too high and too low, over all points and including error
+    bars. `within` is the accuracy class of the verdicts ACCURATE and PART.
 
-    `is_of_part` states whether the errors are relative to the part, or only to a model with the
-    same idealisation. `model` is the error relative to such a model, if `rows` also compare with
-    the part. `points` is the number of points at inputs other than those of the paper, `unsolved`
-    the number of points without a solution. `own_only` are cases without a study.
+    `is_of_part` is True if the formula is compared with a model of the real part, False if only
+    with a model that makes the same simplifications. If it is compared with both, `model` states
+    the error relative to the simplified model. `points` is the number of points of studies,
+    `unsolved` the number of points without a solution. `own_only` are cases without a
+    study, in which the formula is compared at the default inputs only.
 
     `misprint` is the change from the corrected to the printed value, None if no row has both.
-    `caution` is a failure other than an error, detected by `caution_row`. `readings` is the range
-    of the value for the readings that the paper leaves open.
+    `caution` is a failure of the formula that the errors do not reveal; `caution_row` is the row
+    that reveals it. `readings` is the range of the value for the readings that the paper leaves
+    open.
     """
 
     id: str

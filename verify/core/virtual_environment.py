@@ -180,7 +180,7 @@ def pip(folder: Path, *words: str) -> None:
 
 @contextlib.contextmanager
 def alone() -> Iterator[None]:
-    """Context that waits for the end of another set-up of this folder, and makes others wait."""
+    """Context in which no other set-up of this folder runs; if one runs, wait for its end first."""
     try:
         import fcntl
     except ImportError:  # not on this system

@@ -26,9 +26,10 @@ from verify.form.quantity import CaseError, Quantity, solving
 def adapted(form: type[Case], *, time_limit: float | None = None) -> core.Case:
     """Record of the case declared by the class `form`.
 
-    Names of the comparisons are those at the default inputs; their numbers can be computed for any
-    inputs. `time_limit` [s] applies to the formulas and to each level of the reference. Comparisons
-    are made when they are first read: a process makes only those of the cases that it uses.
+    The comparisons have the names that they have at the default inputs; the compared numbers can be
+    computed for any inputs. `time_limit` [s] applies to the formulas and to each level of the
+    reference. Comparisons are made when they are first read: a process makes only those of the
+    cases that it uses.
     """
 
     def default() -> Case:
@@ -92,7 +93,7 @@ def _twice(form: type[Case], one: Comparison) -> CaseError:
 
 
 class _Side:
-    """Base class of formulas and reference as functions; errors state module and name."""
+    """Base class of the two functions of a case: its formulas and its reference."""
 
     name: ClassVar[str]
 
@@ -157,7 +158,7 @@ def _check_numbers(found: object, place: str) -> None:
 
 
 def _outputs(default: Case) -> Iterator[Output]:
-    """Outputs of a case: its quantities, and its quantities in other compared states."""
+    """Outputs of a case: its quantities, also in the other states at which they are compared."""
     stated = [one for one in default.stated() if one.quantity]
     hidden = {one.quantity for one in stated if one.state and not one.state.displayed}
     compared = {
@@ -183,11 +184,11 @@ def _output(q: Quantity, key: str, state: State | None, *, judged: bool) -> Outp
 
 
 def _check(one: Comparison, own: bool) -> Check:
-    """Check of a comparison, with functions that use the inputs of the context.
+    """Check of a comparison for any inputs of the case.
 
-    A function of a check has the inputs or the context as its first argument. The function of the
-    declared check may use the default inputs instead; the returned check calls the function that
-    the case declares at the present inputs.
+    The first argument of every function of a check is the inputs or the context. The check that was
+    declared at the default inputs may use these inputs instead of its argument. Therefore, each
+    function of the returned check calls that of the check declared at the inputs in the argument.
     """
     check: Any = one.check
     functions = [
@@ -208,10 +209,10 @@ def _stated(one: Comparison) -> dict[str, str]:
 
 
 def _of_inputs(name: str, function: str, own: bool) -> Callable[..., Any]:
-    """Function `function` of the check of the comparison `name`, for the present inputs.
+    """Function that calls `function` of the check `name` that the case declares for its inputs.
 
-    In the case of a user (`own`), it is also checked that an expected error is independent of the
-    formula that it judges; for the cases of the suite, tests check this.
+    For a case outside the suite (`own`), it also checks that an expected error is independent of
+    the formula that it judges; for the cases of the suite, tests check this.
     """
 
     def call(first: Any, *rest: Any) -> Any:

@@ -124,7 +124,7 @@ class Case(Inputs):
         return ()
 
     def summary(self) -> Mapping[str, Any]:
-        """Recommendations for programs, as additional JSON of `check`."""
+        """Recommendations for programs, which `check` adds to its JSON output."""
         return {}
 
     def refusal(self) -> str:

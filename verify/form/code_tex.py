@@ -32,7 +32,7 @@ def tex_of(formula: Callable[..., Any], symbols: Mapping[str, str]) -> str:
 
 
 def _tex(node: ast.expr, symbols: Mapping[str, str]) -> tuple[str, int]:
-    """TeX of an expression, and its binding strength: 1 sum, 2 product, 3 power, 4 symbol."""
+    """TeX of an expression, and its precedence: 1 sum, 2 product, 3 power, 4 symbol."""
 
     def part(of: ast.expr, binding: int) -> str:
         text, binds = _tex(of, symbols)
@@ -67,7 +67,7 @@ def _tex(node: ast.expr, symbols: Mapping[str, str]) -> tuple[str, int]:
 
 
 def _constant(value: float) -> tuple[str, int]:
-    """TeX of a constant with all its digits, and its binding strength."""
+    """TeX of a constant with all its digits, and its precedence (see `_tex`)."""
     digits = next(n for n in range(6, 18) if float(f"{value:.{n}g}") == value)
     text = number(value, digits)
     return text, 2 if r"\cdot" in text else 3 if "^" in text else 4

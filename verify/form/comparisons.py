@@ -82,11 +82,11 @@ class Options(TypedDict, total=False):
     """Options of every comparison of a quantity with a reference.
 
     `order` is the theoretical order of convergence of the reference. `against` distinguishes
-    several rows of one quantity. `name`, `symbol` and `unit` replace those of the declaration.
-    `state` is a state other than that of the inputs. `sensitivity` is the smallest error that must
-    make the row fail; `own` is the same for inputs of a user, if it is less strict. `by` is the
-    name of a second method that is refined like a mesh. `printed` are values of the papers for the
-    row ("paper:id"). `shares` states what formula and reference have in common.
+    several rows of one quantity. `name`, `symbol` and `unit` replace those of the declared
+    quantity. `state` is a state other than that of the inputs. `sensitivity` is the smallest error
+    that must make the row fail; for inputs of a user, `own` replaces it if a larger value suffices.
+    `by` is the method of the reference, if it is not finite elements. `printed` are values of the
+    papers for the row ("paper:id"). `shares` states what formula and reference have in common.
     """
 
     order: float | None
@@ -128,7 +128,7 @@ class Comparison:
         return key_of(self.quantity, self.state) if self.quantity else ""
 
     def evaluated(self) -> dict[str, float]:
-        """Further numbers of the comparison, and the value of the quantity in its state."""
+        """All `numbers` of the comparison [SI], and the value of the quantity in its state."""
         found = {key: finite(v() if callable(v) else v) for key, v in self.numbers.items()}
         if self.quantity and self.state and self.state.case and self.key not in found:
             found[self.key] = self.quantity.of(self.state.case)
@@ -186,7 +186,7 @@ def limit(
     q: Quantity, name: str, symbol: str, *, points: Callable[[Sequence[FemResult]], Points],
     exponent: float | None, sensitivity: Required = (judge.DEMAND, ""),
 ) -> Comparison:  # fmt: skip
-    """Check that a formula is exact for a zero parameter and that its error grows as a power.
+    """Check that a formula is exact if a parameter is zero, and that its error grows as a power.
 
     `points` returns parameter, signed error and the standard uncertainty of the error, from all
     levels.
@@ -224,7 +224,7 @@ def errors_of(q: Quantity, reference: str = "", state: State | None = None) -> C
 ]:  # fmt: skip
     """Function that returns mesh sizes and the errors of the reference relative to a formula.
 
-    The result is an argument of `Order`.
+    This function is an argument of `Order`.
     """
     key = key_of(q, state)
 
@@ -263,7 +263,7 @@ def balance(
 def fact(
     name: str, symbol: str, margin: Callable[[Context], tuple[float, float]], *, solves: bool = True
 ) -> Comparison:
-    """Statement that holds if its margin exceeds the expanded uncertainty of the margin."""
+    """Check of a statement, true if its margin exceeds the expanded uncertainty of the margin."""
     check = checks.Fact(name=name, symbol=symbol, unit="1", margin=margin, fem_needed=solves)
     return Comparison(check=check)
 

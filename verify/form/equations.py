@@ -108,8 +108,8 @@ def equation(case: Case, q: Quantity, symbols: Symbols) -> Equation | None:
 def _place(case: Case, q: Quantity) -> str:
     """Place of the equation in its source, and its form if the case has several forms.
 
-    A numbered equation without a form has the form opposite to that of the quantity beside it. A
-    quantity with a text as `source` has only the form that it declares.
+    If another quantity is declared as a form of this one ("as printed" or "corrected"), a numbered
+    equation that declares no form has the other of these two forms.
     """
     if not q.equation:
         return ", ".join(filter(None, (q.source, q.form)))

@@ -10,7 +10,7 @@ from verify.core.figures import Array, Field, Picture
 
 
 class HasCells(Protocol):
-    """A solved plane body."""
+    """Solution of a plane body that returns its cells with data."""
 
     def cells(self) -> Mapping[str, Array]:
         """Arrays (name: array): points, cells, displacements and cell data."""

@@ -1,7 +1,7 @@
 """Check that an expected error is independent of the formula that it judges.
 
-The check also changes values that both formula and expected error read, such as steps and shared
-values: a mistake in such a value would change both.
+The check also changes intermediate and shared values that both the formula and the expected error
+read: a mistake in such a value would change both.
 """
 
 from contextlib import suppress
@@ -24,9 +24,9 @@ def check(case: Case, one: Comparison) -> None:
 
 
 def follows(case: Case, one: Comparison) -> str:
-    """Name of a value that changes both a formula and its expected error; empty if there is none.
+    """Name of a value on which a formula and its expected error depend; empty if there is none.
 
-    The value is the formula itself, or a formula, step or shared value that the formula reads.
+    The value is the formula itself, or another formula or value that the formula reads.
     """
     if one.quantity is None or (before := _interval(one)) is None:
         return ""

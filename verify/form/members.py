@@ -15,7 +15,7 @@ MACHINERY = ("verify.core.", "verify.form.", "pydantic.")  # of no case
 def reached(
     form: type[Inputs], start: Collection[str], *, formulas: bool
 ) -> tuple[tuple[str, str, tuple[str, ...]], ...]:
-    """Module, class and members that the members `start` use, including `start`.
+    """Members that the members `start` use, and `start`: module, class and names of members.
 
     A member counts as used if an attribute with its name is read from any object; the result may
     contain too many members, but never too few. Without `formulas`, quantities that a reference

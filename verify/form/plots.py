@@ -20,7 +20,7 @@ def curve(name: str, x: ArrayLike, y: ArrayLike, style: str = "line", colour: in
 
 
 def line(name: str, x: ArrayLike, y: ArrayLike, colour: int = 0) -> Curve:
-    """Curve drawn as a full line."""
+    """Curve drawn as a solid line."""
     return curve(name, x, y, "line", colour)
 
 

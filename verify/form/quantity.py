@@ -161,7 +161,7 @@ class Family:
 
     @classmethod
     def of(cls, q: Quantity, indices: Sequence[tuple[object, ...]], method: Indexed) -> "Family":
-        """Family with one quantity for each index."""
+        """Family with one quantity for each combination of indices."""
 
         def member(index: tuple[object, ...]) -> Declared:
             one = replace(q, symbol=q.symbol.format(*index), what=q.what.format(*index))

@@ -1,1 +1,1 @@
-"""The cache of results, the scheduler, and processes that solve."""
+"""The cache of results, the scheduler, and the processes that solve references."""

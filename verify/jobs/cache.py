@@ -1,11 +1,11 @@
 """Results of references in the store; the key includes all data on which they depend.
 
 The key includes the case, its inputs, the level, the code on which the reference depends, and the
-versions of the libraries. This code is the function of the reference, the names of its module that
-it uses, and the modules of fem and meshes that it reaches, and no others. Therefore, no finite
-elements are solved again after a change of a formula or of a rule of judging. Modules of analytic
-are included if the reference imports them, for example a half-space. The content of an entry is an
-npz file with its structure in JSON.
+versions of the libraries. This code is the function of the reference, the code that it uses in its
+module, and the modules of fem and meshes that it imports, directly or indirectly. Therefore, a
+change of a formula or of a rule of judging does not require a new finite-element solution. Modules
+of analytic are included if the reference imports them, for example a half-space. The content of an
+entry is an npz file with its structure in JSON.
 """
 
 import hashlib
@@ -69,7 +69,7 @@ def load(folder: Path, case: Case, inputs: Inputs, level: int) -> FemResult | No
 
 
 def fields_of(folder: Path, name: str) -> tuple[Field, ...]:
-    """Fields of the result with a key. Raises OSError if this result cannot be read."""
+    """Fields of the stored result with the key `name`. Raises OSError if it cannot be read."""
     content = Store(folder).load(KIND, [name]).get(name)
     if content is None:
         raise OSError(f"{folder}: a solved level is no longer stored: repeat the run")

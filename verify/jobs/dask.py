@@ -23,9 +23,10 @@ AHEAD = 1  # task that waits on the cluster for each that is solved
 
 @contextmanager
 def dask(processes: int, scheduler: str = "") -> Iterator[Engine]:
-    """The cluster of the scheduler at an address, tcp://host:port; without it, a local cluster.
+    """Engine of the dask cluster at the address `scheduler` (tcp://host:port), or a local one.
 
-    A local cluster has `processes` workers with one thread each. GoneError if nothing answers.
+    If `scheduler` is empty, a local cluster is started; it has `processes` workers with one thread
+    each. Raises GoneError if no scheduler or worker answers.
     """
     import dask.config
     from distributed import Client, LocalCluster

@@ -1,6 +1,6 @@
-"""Results that took hours, stored with the project and valid while their code is unchanged.
+"""Results of computations that take hours, stored in the project and valid for unchanged code.
 
-A deep case is a `Case` without rows: its levels are parts of a larger measurement at the default
+A deep case is a `Case` without rows: its levels are parts of a larger computation at the default
 inputs. Each part is solved and cached like any level: an interrupted run can be continued.
 """
 
@@ -20,19 +20,19 @@ RECORDS = Records("deep")
 
 @dataclass(frozen=True)
 class Measured:
-    """Results of all levels of a case, in the order of the levels, and the date of measurement."""
+    """Results of all levels of a case, in the order of the levels, and the date of computation."""
 
     date: str
     parts: tuple[FemResult, ...]
 
 
 def measured(case: Case) -> Measured | None:
-    """Result measured for `case`; None if it was not made by the present code and inputs."""
+    """Stored results of `case`; None if they are not from the present code and inputs."""
     return RECORDS.current(case.id, _made_by(case), _measured)
 
 
 def keep(case: Case, parts: Sequence[FemResult]) -> Path:
-    """Write the measured result and return the path of its file."""
+    """Store the results of all levels of `case`; return the path of the file."""
     return RECORDS.keep(case.id, _made_by(case), [
         {"h": part.h, "values": dict(part.values), "u_it": dict(part.u_it),
          "arrays": {name: array.tolist() for name, array in part.arrays.items()}}

@@ -1,4 +1,4 @@
-"""One dispatcher for all studies: tasks on an engine, progress, and a clean end when stopped.
+"""One dispatcher for all studies: tasks on an engine, progress, and an orderly end when stopped.
 
 A study provides tasks and receives each result when it is complete, and stores it at once. The next
 run finds the results that an interrupted run has stored, and continues with the others.
@@ -20,10 +20,11 @@ from verify.jobs.executor import Drive, Split
 class Dispatch:
     """A run that computes `total` results; `what` is their name in messages.
 
-    `done` is the number of results that exist now, `known` the number before the run. A study
-    changes `total` if results add further tasks, and `unstored`, the number of `done` that are not
-    in the store: failed ones, or all if the store accepts no more. `title` is the name of a running
-    task; `remaining` estimates the remaining seconds, by default from the pace of this run.
+    `done` is the number of results that exist now, `known` the number before the run. `unstored` of
+    the `done` results are not in the store: failed results, or all results if the store does not
+    accept them. A study increases `total` if a result adds tasks, and counts `unstored`. `title` is
+    the name of a running task; `remaining` estimates the remaining seconds, by default from the
+    pace of this run.
     """
 
     what: str

@@ -1,4 +1,4 @@
-"""Additions of `check --dynamic`: the transient part of a case, with a user's parameters."""
+"""The transient part of a case with a user's parameters, which `check --dynamic` adds."""
 
 import math
 from collections.abc import Mapping

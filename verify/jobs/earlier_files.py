@@ -31,7 +31,7 @@ def adopt(folder: Path) -> int:
 
 
 def _move(path: Path, folder: Path) -> bool:
-    """Move one file to the store if it is a result of an earlier version; returns whether it is."""
+    """Move one file to the store if it is a result of an earlier version; True if it was moved."""
     kind, array = KINDS.get(path.parent.name, LEVEL)
     try:
         content, made = path.read_bytes(), path.stat().st_mtime

@@ -7,7 +7,7 @@ from typing import Any
 
 
 class GoneError(OSError):
-    """The engine no longer answers. Earlier results are stored."""
+    """Error if the engine no longer answers; earlier results are stored."""
 
 
 def first_done(futures: Collection[Future[Any]], seconds: float) -> Collection[Future[Any]]:

@@ -1,8 +1,8 @@
 """Executors of tasks: this process, processes of this machine, or a dask cluster.
 
 An engine is an executor of concurrent.futures with further data. `Drive` runs tasks on any engine:
-it submits a few tasks in advance, repeats tasks of dead processes once, and returns control to the
-caller in between.
+it submits a few tasks in advance, repeats tasks of dead processes once, and regularly returns
+control to the caller.
 """
 
 import os
