@@ -29,10 +29,11 @@ class Field:
 class Picture:
     """Description of how one field is drawn: data, unit, deformation.
 
-    `data` is the name of point or cell data of `field`, `component` one of its columns. Values are
-    divided by `factor` to obtain `unit`. Without data, the body has one colour. `mirror` lists the
-    coordinates ("x", "y") to be reflected: "x" completes a part of a symmetric body at the plane x
-    = 0. With a `width` [unit of the points], a line is drawn as a ribbon that can be rotated.
+    `data` is the name of point or cell data of `field`, `component` a column of these data. Values
+    are divided by `factor` to obtain `unit`. Without data, the body has one colour. `mirror` lists
+    the coordinates ("x", "y") to be reflected: "x" completes a part of a symmetric body at the
+    plane x = 0. With a `width` [unit of the points], a line is drawn as a ribbon that can be
+    rotated.
     `share` is the largest displacement as drawn, divided by the size of the body; None selects the
     default. `window` (left, bottom, right, top) selects a part of the undeformed body;
     displacements are then relative to their mean in this part. Lengths along y are drawn `stretch`

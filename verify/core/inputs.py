@@ -7,8 +7,8 @@ A parameter file is TOML:
     r_i = "60 mm"
     nu = 0.3
 
-An input may be a list of tables, [[inputs.supports]]; each entry is an object of another subclass
-of `Inputs`.
+An input may be a list of tables, [[inputs.supports]]; each entry is an object of a separate
+subclass of `Inputs`.
 """
 
 import math
@@ -93,7 +93,7 @@ class Inputs(BaseModel):
 
 
 def _entry(table: str, number: int, entry: Inputs) -> InputValue:
-    """One entry of a table as a line; inputs with the value of an omitted input are left out."""
+    """One entry of a table as a line, without inputs that have the value for omitted inputs."""
     parts = [
         f"{name} {value if isinstance(value, str) else _with_unit(value, meta(field)['unit'])}"
         for name, field in type(entry).model_fields.items()
@@ -364,7 +364,7 @@ def kind_of(field: FieldInfo) -> type:
 
 
 def choices(field: FieldInfo) -> tuple[str, ...]:
-    """Permitted words of an input that is a word; empty for numbers."""
+    """Permitted words of an input that is a word; empty for other inputs."""
     return tuple(get_args(field.annotation)) if get_origin(field.annotation) is Literal else ()
 
 

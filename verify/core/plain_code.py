@@ -79,7 +79,7 @@ def _assert(_node: Any, _bound: Bound) -> dict[str, object]:
 
 
 def _call(node: Any, bound: Bound) -> dict[str, object]:
-    """Fields that replace those of a call; declared inputs and formulas then have no texts."""
+    """Fields, without texts, that replace those of a call that declares an input or a formula."""
     called = node.func.id if isinstance(node.func, ast.Name) else ""
     name = bound.get(called, called).rpartition(".")[2]
     if name == DECLARATION:

@@ -1,7 +1,7 @@
 """Name of the reference of a formula: finite elements, or another method.
 
-A case states the method of its reference. If a row has a `partner`, the partner is its
-reference.
+A case states the method of its reference. If a row has a `partner`, the partner is the reference
+of this row.
 """
 
 from dataclasses import dataclass

@@ -93,10 +93,11 @@ class Grid:
 class Row:
     """One judged comparison.
 
-    Dimensional numbers are in `unit`; `detects` and `demand` are relative. `method` is that of the
-    reference `fem`. `interval` is the expected signed model error of an approximation. `levels` are
-    the values of the reference by mesh size, from coarse to fine. `levels_u` are their standard
-    uncertainties, if a limit is fitted.
+    Dimensional numbers are in `unit`. `detects` is the smallest relative change that is certain to
+    make the row fail, `demand` the largest value of `detects` that is permitted. `method` is that
+    of the reference `fem`. `interval` is the expected signed model error of an approximation.
+    `levels` are the values of the reference by mesh size, from coarse to fine. `levels_u` are their
+    standard uncertainties, if a limit is fitted.
 
     For approximations and printed numbers, `difference` is formula minus reference. For all other
     identities, for trends and for limits, it is reference minus formula, because the reference is
@@ -328,8 +329,8 @@ class Validity:
     """Ranges of validity of the formulas of one case.
 
     `missing` is the reason if nothing was measured. `over` describes the range over which the exact
-    formulas were compared. `others` are the omitted formulas, and `maps` the cases with further
-    maps.
+    formulas were compared. `others` are the formulas that were not measured, and `maps` the cases
+    with further maps of the formulas.
     """
 
     case: str
@@ -501,10 +502,10 @@ class ReadingsTried:
     """A printed number, the formula's value by the first reading, and a search for other readings.
 
     `hits` combinations of readings give the number; `readings` is the best combination, with its
-    `value`, and is empty if there is none. Among the combinations with at most
-    as many changes as the best, `chance` is the expected number of those that give the number by
-    chance. If nothing was tried, `missing` is the reason. `reference` is the key of the number or
-    of the erratum, "paper:id".
+    `value`, and is empty if there is none. Among the combinations with at most as many changes as
+    the best, `chance` is the expected number of those that give the number by chance. If nothing
+    was tried, `missing` is the reason. `reference` is the key of the number or of the erratum,
+    "paper:id".
     """
 
     reference: str
@@ -631,7 +632,7 @@ class Survivor:
 
 @dataclass(frozen=True, kw_only=True)
 class Caught:
-    """Numbers of inserted faults (mutants) that the suite detects, and mutants not detected.
+    """Numbers of inserted faults (mutants) that the suite detects, and the mutants not detected.
 
     If nothing was measured, `missing` is the reason. `references` contains the shares of rows that
     fail if their references are changed. `stale` lists the groups that were not measured for this

@@ -167,7 +167,7 @@ class Store:
         return found
 
     def _note(self, kind: str, keys: Sequence[str]) -> None:
-        """Store the present time as the last reading of entries; they are then removed later."""
+        """Store the time of reading of entries; the least recently read are removed first."""
         lines = [(kind, key, time.time()) for key in keys]
         # a note is no reason to fail, or to wait for another process that writes
         with suppress(OSError), self._database.writing(patience=0.0) as database:

@@ -110,7 +110,10 @@ def _update() -> str:
 
 
 def _run(words: Sequence[str]) -> tuple[int, str]:
-    """Run a command that asks no questions, to its end even after Ctrl-C; status and output."""
+    """Run a command without questions to the user; returns its exit status and its output.
+
+    After Ctrl-C, wait for the end of the command.
+    """
     quiet = {**os.environ, "DEBIAN_FRONTEND": "noninteractive", "LC_ALL": "C"}
     with subprocess.Popen(  # noqa: S603 - the project's command
         words, env=quiet, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,

@@ -109,8 +109,8 @@ class FormulaVerdict:
     `is_of_part` is True if the formula is compared with a model of the real part, False if only
     with a model that makes the same simplifications. If it is compared with both, `model` states
     the error relative to the simplified model. `points` is the number of points of studies,
-    `unsolved` the number of points without a solution. `own_only` are cases without a
-    study, in which the formula is compared at the default inputs only.
+    `unsolved` the number of points without a solution. `own_only` are cases without a study, in
+    which the formula is compared at the default inputs only.
 
     `misprint` is the change from the corrected to the printed value, None if no row has both.
     `caution` is a failure of the formula that the errors do not reveal; `caution_row` is the row

@@ -69,8 +69,8 @@ def normalized(name: str) -> str:
 def remove_incomplete(site: Path) -> list[str]:
     """Remove packages whose installation was killed, so that they are installed again.
 
-    pip writes RECORD last, and renames a package that it replaces to a name with "~". Returns the
-    names of the removed packages.
+    pip writes RECORD last. Before it replaces a package, it renames the old one to a name with "~".
+    Returns the names of the removed packages.
     """
     found = site.glob("*.dist-info")
     killed = [x for x in found if not (x / "RECORD").is_file() or x.name.startswith("~")]
@@ -180,7 +180,7 @@ def pip(folder: Path, *words: str) -> None:
 
 @contextlib.contextmanager
 def alone() -> Iterator[None]:
-    """Context in which no other set-up of this folder runs; if one runs, wait for its end first."""
+    """Context in which no other set-up of this folder runs; first waits until others have ended."""
     try:
         import fcntl
     except ImportError:  # not on this system

@@ -61,7 +61,7 @@ def adapted(form: type[Case], *, time_limit: float | None = None) -> core.Case:
 def _default(form: type[Case], time_limit: float | None) -> Case:
     """Instance of the case with the default inputs and its comparisons.
 
-    Raises CaseError if the case breaks a rule of the form. Here, dimensions of equations are
+    Raises CaseError if the case breaks a rule for cases. Here, dimensions of equations are
     checked for cases outside the suite only; for cases of the suite, tests check them.
     """
     check_names(form)
@@ -186,9 +186,9 @@ def _output(q: Quantity, key: str, state: State | None, *, judged: bool) -> Outp
 def _check(one: Comparison, own: bool) -> Check:
     """Check of a comparison for any inputs of the case.
 
-    The first argument of every function of a check is the inputs or the context. The check that was
-    declared at the default inputs may use these inputs instead of its argument. Therefore, each
-    function of the returned check calls that of the check declared at the inputs in the argument.
+    The functions of `one.check` may contain the default inputs, at which `one` was declared. Each
+    function of the returned check therefore declares the comparison again for the inputs in its
+    first argument (inputs or context), and calls the function of the new check.
     """
     check: Any = one.check
     functions = [
@@ -209,7 +209,7 @@ def _stated(one: Comparison) -> dict[str, str]:
 
 
 def _of_inputs(name: str, function: str, own: bool) -> Callable[..., Any]:
-    """Function that calls `function` of the check `name` that the case declares for its inputs.
+    """Function that calls `function` of the check `name`, declared for the inputs in its argument.
 
     For a case outside the suite (`own`), it also checks that an expected error is independent of
     the formula that it judges; for the cases of the suite, tests check this.

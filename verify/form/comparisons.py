@@ -84,7 +84,7 @@ class Options(TypedDict, total=False):
     `order` is the theoretical order of convergence of the reference. `against` distinguishes
     several rows of one quantity. `name`, `symbol` and `unit` replace those of the declared
     quantity. `state` is a state other than that of the inputs. `sensitivity` is the smallest error
-    that must make the row fail; for inputs of a user, `own` replaces it if a larger value suffices.
+    that must make the row fail; for inputs of a user, `own` replaces it if `own` is larger.
     `by` is the method of the reference, if it is not finite elements. `printed` are values of the
     papers for the row ("paper:id"). `shares` states what formula and reference have in common.
     """
@@ -186,7 +186,7 @@ def limit(
     q: Quantity, name: str, symbol: str, *, points: Callable[[Sequence[FemResult]], Points],
     exponent: float | None, sensitivity: Required = (judge.DEMAND, ""),
 ) -> Comparison:  # fmt: skip
-    """Check that a formula is exact if a parameter is zero, and that its error grows as a power.
+    """Check that the error of a formula vanishes with a parameter, as a power of the parameter.
 
     `points` returns parameter, signed error and the standard uncertainty of the error, from all
     levels.
@@ -224,7 +224,7 @@ def errors_of(q: Quantity, reference: str = "", state: State | None = None) -> C
 ]:  # fmt: skip
     """Function that returns mesh sizes and the errors of the reference relative to a formula.
 
-    This function is an argument of `Order`.
+    The returned function is an argument of `Order`.
     """
     key = key_of(q, state)
 
@@ -263,7 +263,7 @@ def balance(
 def fact(
     name: str, symbol: str, margin: Callable[[Context], tuple[float, float]], *, solves: bool = True
 ) -> Comparison:
-    """Check of a statement, true if its margin exceeds the expanded uncertainty of the margin."""
+    """Check of a statement that holds if its margin exceeds the margin's expanded uncertainty."""
     check = checks.Fact(name=name, symbol=symbol, unit="1", margin=margin, fem_needed=solves)
     return Comparison(check=check)
 

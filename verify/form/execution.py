@@ -23,8 +23,8 @@ def executed(file: str, time_limit: float | None) -> Iterator[None]:
     The limit is for code outside the suite. An error becomes a CaseError with its line in the file.
     Errors that mean "no solution" or a failure of the machine are not changed. A ValueError of a
     case of the suite is not changed, because it is about inputs; in other cases, it may come from
-    math.sqrt. Ctrl-C interrupts only the first process: in other processes, the code of the case
-    raises a KeyboardInterrupt, which becomes a CaseError.
+    math.sqrt. Ctrl-C interrupts only the first process. In other processes, a KeyboardInterrupt
+    comes from the code of the case and becomes a CaseError.
     """
     try:
         with limited(time_limit):

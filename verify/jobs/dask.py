@@ -23,7 +23,7 @@ AHEAD = 1  # task that waits on the cluster for each that is solved
 
 @contextmanager
 def dask(processes: int, scheduler: str = "") -> Iterator[Engine]:
-    """Engine of the dask cluster at the address `scheduler` (tcp://host:port), or a local one.
+    """Engine of the dask cluster at the address `scheduler` (tcp://host:port), or of a local one.
 
     If `scheduler` is empty, a local cluster is started; it has `processes` workers with one thread
     each. Raises GoneError if no scheduler or worker answers.
