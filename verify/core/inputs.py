@@ -59,7 +59,7 @@ class Inputs(BaseModel):
     instead: ClassVar[tuple[str, Mapping[str, str]]] = ("", {})
 
     def display(self) -> tuple[InputValue, ...]:
-        """All inputs in their units, in the order of the model.
+        """All inputs in their units, in the order of the class.
 
         Each entry of a table is one line.
         """
@@ -345,7 +345,7 @@ def is_table(field: FieldInfo) -> bool:
 
 
 def entry_model(field: FieldInfo) -> type[Inputs]:
-    """Model of the entries of a table."""
+    """Class of the entries of a table, a subclass of `Inputs`."""
     found: type[Inputs] = get_args(field.annotation)[0]
     return found
 

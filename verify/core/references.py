@@ -13,7 +13,7 @@ FINITE_ELEMENTS = "finite elements"
 
 @dataclass(frozen=True)
 class Method:
-    """Names of the references of a case: `case` for the whole case, `alone` for a single row."""
+    """Names of the method of a reference: `case` for a whole case, `alone` for a single row."""
 
     case: str = FINITE_ELEMENTS
     alone: str = FE

@@ -404,7 +404,7 @@ class StoredStudy:
     """A stored study: `points` in the units of the axes, and the formulas compared at these points.
 
     A star varies one input at a time, starting from the default values in its first point; a grid
-    contains all combinations. `held` describes the other inputs that do not have default values;
+    contains all combinations. `held` describes the constant inputs that do not have default values;
     `at` contains their names and values in the units of the case.
     """
 

@@ -186,7 +186,7 @@ def _parts(module: str, owner: str) -> dict[str, ast.stmt]:
 def _part(
     module: str, owner: str, name: str, *, whole: bool
 ) -> tuple[str, tuple[str, ...], tuple[str, ...]]:
-    """Code of one name, the names that it reads, and the modules that it imports."""
+    """Code that defines a name, the names that this code reads, and the modules that it imports."""
     node = _parts(module, owner)[name]
     reads = tuple(n.id for n in ast.walk(node) if isinstance(n, ast.Name))
     imported = tuple(_imported(node, module))

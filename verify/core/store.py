@@ -5,8 +5,8 @@ never wrong, but may be unused.
 Every commit is complete: a process that is killed loses at most the entry that it was writing.
 Several processes can use the store at the same time.
 
-The file has two tables: `entries`, and the times of the last reading in `readings`. `PRAGMA
-user_version` is the number of its format. A file with a later format causes an error.
+The file has two tables: `entries`, and `readings` with the time of the last reading of an entry.
+`PRAGMA user_version` is the number of the file's format. A later format causes an error.
 """
 
 import io

@@ -40,9 +40,9 @@ LARGEST_WHOLE = 1e7  # larger numbers have a power of ten
 
 
 def system_of(raw: Any) -> System:
-    """Unit system for an answer: "inch" if most lengths in the file are in inches, otherwise "mm".
+    """Unit system for results: "inch" if most lengths in the file are in inches, otherwise "mm".
 
-    In a file without lengths, all units are counted.
+    If the file contains no length, all quantities are counted.
     """
     given = list(_units_in(raw))
     lengths = [unit for unit in given if units.dimensions(unit) == LENGTH]

@@ -1,9 +1,9 @@
 """Set-up of a virtual environment from a lock file with hashes.
 
 An interrupted set-up is continued. Only the standard library is used: the module is run as a script
-(FOLDER LOCK) by the Python of the new environment. Packages are installed in small groups. Files
-that a killed set-up has downloaded are not downloaded again, even if the index does not let `pip`
-cache them. The exit status is 0, or 2 after one line with the reason.
+(arguments: FOLDER LOCK) by the Python of the new environment. Packages are installed in small
+groups. Files that a killed set-up has downloaded are not downloaded again, even if the index does
+not let `pip` cache them. The exit status is 0, or 2 after one line with the reason.
 """
 
 from __future__ import annotations
@@ -62,7 +62,7 @@ def installed(site: Path) -> set[str]:
 
 
 def normalized(name: str) -> str:
-    """Name of a package in the form of the lock file."""
+    """Name of a package in the spelling of the lock file."""
     return re.sub(r"[-_.]+", "-", name).lower()
 
 

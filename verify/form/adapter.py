@@ -149,7 +149,7 @@ class Reference(_Side):
 
 
 def _check_numbers(found: object, place: str) -> None:
-    """Raise CaseError unless a level is a result of `solved` with finite values."""
+    """Raise CaseError unless `found` is a result of `solved` with finite values."""
     if not isinstance(found, FemResult):
         raise CaseError(f"{place} must return solved(...), got {type(found).__name__}")
     for key, value in found.values.items():

@@ -61,9 +61,9 @@ class State:
 
     `case` has the quantities of this state, such as `self.at(T=...)`; it is None if the state does
     not exist at these inputs. Names of the numbers of formulas and reference end in `key`, which is
-    empty for the state of the inputs. Names of rows end in `words`. `symbol` is a format of the
-    symbols. Numbers of a state that is not `displayed` are compared in rows, but `check` does not
-    print them.
+    empty for the state of the inputs. Names of rows end in `words`. `symbol` is a format string for
+    the symbols. Numbers of a state that is not `displayed` are compared in rows, but `check` does
+    not print them.
     """
 
     case: object | None

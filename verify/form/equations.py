@@ -29,7 +29,7 @@ class Symbol(NamedTuple):
 
 
 class Symbols(NamedTuple):
-    """Symbols of a case in TeX: `tex` by attribute, SI `values`, and `numbers` with units."""
+    """Symbols of a case: `tex` by attribute; SI `values`, and `numbers` with units, by TeX."""
 
     tex: dict[str, str]
     values: dict[str, float]
@@ -47,7 +47,7 @@ def stated(case: Case) -> tuple[Equation, ...]:
 
 
 def declared(case: Case) -> Iterator[Symbol]:
-    """Symbols of inputs, of quantities, and of comparisons at a state with a separate symbol."""
+    """Symbols of inputs, of quantities, and of quantities in states with a different symbol."""
     as_tex = equations.symbol_tex
     for name, field in type(case).model_fields.items():
         symbol, unit = meta(field)["symbol"], meta(field)["unit"]

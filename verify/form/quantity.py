@@ -86,7 +86,7 @@ class Quantity:
     def over(self, *indices: Sequence[object]) -> "Callable[[Indexed], Family]":
         """Decorator of a method with indices; declares one quantity per combination of indices.
 
-        In symbol and meaning, `{0}` is the first index and `{1}` the second; `when` also receives
+        In `symbol` and `what`, `{0}` is the first index and `{1}` the second; `when` also receives
         the indices.
         """
         return partial(Family.of, self, tuple(product(*indices)))
