@@ -1,4 +1,4 @@
-r"""Stresses on the axis of a disc pressed between two rigid flats.
+r"""Stresses on the line of the load through a disc pressed between two rigid flats.
 
 Two opposite forces at the ends of a chord of half-length y' cause two radial (Flamant) stress
 fields and a uniform tension, so that the rim is free of stress. These stresses are integrated over

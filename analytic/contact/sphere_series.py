@@ -98,7 +98,7 @@ class Sphere:
 
 @dataclass(frozen=True)
 class PressedSpheres:
-    """Contact radius, peak pressure and approach of two pressed spheres, to first order.
+    """Contact radius, peak pressure and approach of two spheres with the first correction to Hertz.
 
     The approach is that of the planes of symmetry of both spheres. Each `excess` is the relative
     excess over Hertz's value under the same load.

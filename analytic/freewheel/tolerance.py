@@ -65,7 +65,7 @@ def first_order(cam: Cam, sigma: Mapping[str, float]) -> tuple[float, dict[str, 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Ensemble:
-    """Sample of clutches: arrays for clutches with a wedge, and the outcomes of all clutches.
+    """Sample of clutches: outcomes of all clutches, and arrays for the clutches with a wedge.
 
     Angles in rad; alpha and mu_req under the load, nan without an equilibrium. `outcomes` are of
     the type `Outcome`; "no state" means that the rollers of an outer cam pop through or contacts

@@ -54,7 +54,7 @@ def rim_displacement(
 
 
 def mean_rim_displacement(ring: FreeRim) -> float:
-    """Mean of u_r over the rim, times E' [load times length]: constant term of F."""
+    """Mean radial displacement u_r of the rim, times E' [load times length]."""
     wall = ring.sector.z * np.log(2 * ring.sector.r_e / ring.sector.d_i)
     count = int(20 / wall) + 8  # the midpoint rule's error falls as the wall's ratio to the 2 count
     theta = (np.arange(count) + 0.5) / count * ring.sector.half_angle

@@ -35,7 +35,7 @@ STEP = 1e-3  # relative change of N in difference quotients
 
 @dataclass(frozen=True)
 class Driven:
-    """Ring that is locked while the hub rotates it: the hub force R is proportional to N.
+    """Locked ring with a hub that drives it: the hub force R is proportional to the roller force N.
 
     The hub touches each flat at the distance e [length] from its middle, with the friction
     coefficient tan_phi. `grip` is the ratio of tangential to normal force of a roller on the race

@@ -152,7 +152,7 @@ def locked(
     assumption: Assumption,
     hub: HubForce | None = None,
 ) -> Locked:
-    """Roller force, touching pressure and load-transfer ratios under pressure p and hub force.
+    """Roller force, pressure that closes the clearance, and load-transfer ratios of a locked ring.
 
     >>> ring = Sector(z=6, d_e=80.0, d_i=72.0, rho=2.0)
     >>> steel = {"E": 210e3, "nu": 0.3, "assumption": "plane stress"}

@@ -38,7 +38,7 @@ class Blades:
 
 @dataclass(frozen=True, eq=False)
 class RaceSpring:
-    """States (n,) of a clutch from no load to `end`, and the rotation theta [rad] of the races.
+    """States (n,) of a clutch up to the normal force `end`, and rotation theta [rad] of the races.
 
     `ends` is True if the last state is the end of the profile, and False if the states end before.
     """

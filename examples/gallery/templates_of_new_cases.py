@@ -1,6 +1,6 @@
-"""Templates of new cases: error of each formula on several meshes, and the expected error.
+"""Templates of new cases: error of each formula by several meshes, and the expected error.
 
-`freewheel new-case FILE --kind KIND` writes these six files; docs/own_case.md explains them.
+`freewheel new-case FILE --kind KIND` writes one of these templates; docs/own_case.md explains them.
 """
 
 from pathlib import Path

@@ -47,7 +47,7 @@ def solve_freewheel(
     mesh: "Callable[..., Mesh2D]", *, R: float, X: float, r: float, z: int, L: float, r_b: float,
     R_a: float, E: float, nu: float, mu: float, T: float, F_ax: float = 0.0, cells: int = 8,
 ) -> FreewheelState:  # fmt: skip
-    """State of a freewheel with flats inside, under torque T [N m], then also axial load F_ax [N].
+    """State of a freewheel with flats on the star under T [N m], then also the axial load F_ax [N].
 
     `mesh` generates one pitch: `meshes.freewheel.inner_cam_sector`, or a function with the same
     arguments. Dimensions [m]: radius R of the ring bore, distance X of the flats, `z` rollers of
