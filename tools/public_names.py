@@ -14,8 +14,8 @@ HEAD = """# Public names
 Each package exports the names below from its modules: `from analytic.ring import lame`,
 `from fem.plane import Elastic, solve_plane`. A module is imported when one of its names is first
 used. If a function has the same name as its module, it is exported under a longer name, for
-example `solve_modes` for the function in `fem.rotor.modes`. A theory whose functions have general
-names is exported as a module: `hertz_line.pressure`.
+example `solve_modes` for the function in `fem.rotor.modes`. If the functions of a module have
+general names, the module itself is exported: `hertz_line.pressure`.
 `python -m tools.public_names` writes this page.
 """
 

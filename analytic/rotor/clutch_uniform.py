@@ -1,4 +1,4 @@
-r"""Closed form of a uniform clutch: Z >= 3 equally spaced and loaded sprags without crown.
+r"""Stiffness of a clutch of Z >= 3 equally spaced and loaded sprags without crown, in closed form.
 
 .. math:: N = \frac{T}{Z d_t}, \quad \delta_0 = \left(\frac{N}{k_n}\right)^{1/n}, \quad
    k = n k_n \delta_0^{n-1}

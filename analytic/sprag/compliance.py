@@ -52,7 +52,7 @@ class Yields:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Compliance:
-    """Contact laws (N to approach), compliances of races and sprag [m/N], growth d_ce [m]."""
+    """Contact laws (N to approach), compliances of races and sprag [m/N], bore growth d_ce [m]."""
 
     contact_i: Law
     contact_e: Law

@@ -1,4 +1,4 @@
-"""Templates of new cases: error of each formula by several meshes, and the expected error.
+"""Templates of new cases: error of each formula, computed on several meshes, and expected error.
 
 `freewheel new-case FILE --kind KIND` writes one of these templates; docs/own_case.md explains them.
 """
