@@ -40,7 +40,7 @@ def engage(
     speeds: Speeds | None = None,
     guard: bool = True,
 ) -> Engagement:
-    """Engagement over `duration` [s] in steps of `dt` [s]; at the start, only the springs act.
+    """Engagement over `duration` [s] in steps `dt` [s]; at the start, only energizing springs act.
 
     `D_V` [m/s] is the half-width of the band of sliding speed in which a contact may stick. With
     None, it is twice the change of the sliding speed of the inner contact in one step from rest; if
