@@ -238,8 +238,9 @@ def errors_of(q: Quantity, reference: str = "", state: State | None = None) -> C
 def as_printed(q: Quantity, printed: str, *, place: str = "", name: str = "") -> Comparison:
     """Comparison of a formula with the number that its source computed from it.
 
-    The tolerance is half of the last printed digit. `printed` is a value of the suite's papers
-    ("paper:id"), or a number with its unit as another source prints it at `place` ("77.25 MPa").
+    U is 2/sqrt(3) times half a unit of the last printed digit. `printed` is a value of the suite's
+    papers ("paper:id"), or a number with its unit as another source prints it at `place` ("77.25
+    MPa").
     """
     found = printed if ":" in printed else literal(printed, q.what, place)
     check = PrintedTheory(name=name or f"{q.label}, as printed", symbol=q.symbol, unit=q.unit,

@@ -48,7 +48,7 @@ class PrintedClaim(Claim):
 class PrintedTheory(PrintedClaim):
     """Comparison of a formula with the number that the paper computed from it.
 
-    The tolerance is half of the last printed digit.
+    U is 2/sqrt(3) times half a unit of the last printed digit.
     """
 
     kind = Kind.IDENTITY
