@@ -47,7 +47,7 @@ class Job:
 
 @dataclass(frozen=True)
 class Solved:
-    """One level: its result, or the reason of the failure in one line with its traceback.
+    """One level: its result, or the reason why it failed (one line) and the traceback.
 
     `unstored` is the reason if the cache could not store the result.
     """
@@ -109,8 +109,8 @@ def _judged(check: Check, context: Context, job: Job) -> list[Row]:
 def ignores_level(levels: Sequence[FemResult]) -> bool:
     """Whether all numbers and arrays are the same on every level.
 
-    It is False if an uncertainty of iteration or round-off is stated. In the suite, single numbers
-    may be the same on every level, such as a formula that is drawn point by point.
+    It is False if an uncertainty of iteration or round-off is stated. Cases of the suite may have
+    single numbers that are the same on every level, such as a formula that is drawn point by point.
     """
     first, *others = levels or (None,)
     if first is None or not others or any(any(one.u_it.values()) for one in levels):
@@ -126,8 +126,8 @@ def ignores_level(levels: Sequence[FemResult]) -> bool:
 def is_constant(grid: Grid) -> bool:
     """Whether a quantity of a user's case is the same on every level.
 
-    It is False if an uncertainty of iteration or round-off is stated, for zero, and for whole
-    numbers without a unit (counts).
+    It is False for zero, for a whole number without a unit (a count), and if an uncertainty of
+    iteration or round-off is stated.
     """
     values = {value for _, value in grid.levels}
     if len(grid.levels) < 2 or len(values) > 1 or grid.u_it:
@@ -137,9 +137,9 @@ def is_constant(grid: Grid) -> bool:
 
 
 def _without(context: Context, check: Check, key: object) -> str:
-    """Message that the number `key`, which a check names, is missing; "" if no check names it.
+    """Message that the formulas or the reference lack the number `key`.
 
-    The formulas or the reference must have this number.
+    The result is "" if `check` does not use this number.
     """
     if not any(isinstance(name, str) and name == key for name in vars(check).values()):
         return ""

@@ -37,10 +37,10 @@ GUARD = (
 
 
 def refuse_reimport() -> None:
-    """End this process if it only imports the script of its parent; the parent reports this.
+    """End this process if it is still importing the script of its parent; the parent reports this.
 
-    A spawned process imports that script before it gets a task; without the guard in GUARD, the
-    script would run in every process and also write its files there.
+    A spawned process imports this script before it gets a task. Without
+    `if __name__ == "__main__":`, the script would run in every process and write its files there.
     """
     if getattr(current_process(), "_inheriting", False):  # set by multiprocessing until it is done
         os._exit(UNGUARDED)
@@ -145,7 +145,7 @@ class _Worker:
 
         Returns True and the result, or False and the exception with its traceback.
 
-        EOFError or OSError if the process dies.
+        Raises EOFError or OSError if the process dies.
         """
         task = pickle.dumps((function, args, kwargs))
         self.connection.send_bytes(task)

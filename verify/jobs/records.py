@@ -1,4 +1,4 @@
-"""Records of long measurements: small files of the project, valid for the code that made them.
+"""Stored results of long studies: small files, each valid only for the code that made it.
 
 All kinds have one form: {"checksum", "kind", "subject", "date", "made by", "content"}. "made by"
 includes all data on which the content depends: hashes of code, inputs, settings. A record is valid
@@ -25,9 +25,9 @@ T = TypeVar("T")
 
 @dataclass(frozen=True)
 class Record:
-    """Measured result of a subject, its date (UTC), and its dependencies.
+    """Result of a study for one subject, such as a case; its date (UTC) and its dependencies.
 
-    Result and dependencies are JSON values.
+    `content` is the result, and `made_by` contains the dependencies; both are JSON values.
     """
 
     date: str
@@ -99,7 +99,7 @@ def today() -> str:
 
 
 def _lines(value: Any, depth: int = 0) -> str:
-    """JSON text with one line for each entry down to LINE_DEPTH, so that a diff shows changes."""
+    """JSON text with one line per entry to the depth LINE_DEPTH, so that a diff shows changes."""
     is_object = isinstance(value, dict)
     entries = list(value.values()) if is_object else value if isinstance(value, list) else []
     if depth == LINE_DEPTH or not any(isinstance(entry, dict | list) for entry in entries):

@@ -66,7 +66,7 @@ def run(
 def _begun(
     engine: AbstractContextManager[Engine], jobs: Sequence[Job]
 ) -> Iterator[AbstractContextManager[Engine]]:
-    """The engine entered; it imports the cases while this process searches the store."""
+    """Enter the engine; its workers import the cases while this process searches the store."""
     with engine as entered:
         for _ in range(entered.workers()):
             entered.executor.submit(load, [job.case.id for job in jobs])
@@ -117,7 +117,7 @@ class _Work:
     def _by_case(self) -> list[Task]:
         """Tasks in order of cases, longest levels first.
 
-        Pictures of finished cases are drawn in the meantime.
+        Thus, cases can be judged and their figures drawn while levels of other cases are solved.
         """
         seconds = self._expected()
         longest: dict[int, float] = {}
@@ -160,7 +160,7 @@ class _Work:
         return 1
 
     def _judge_if_solved(self, i: int) -> None:
-        """Judge a case next if all its levels are available and other processes can read them."""
+        """Make judging of a case the next task if all its levels are solved and stored."""
         job, known = self.jobs[i], self.levels(i)
         if self.hand_over is None or self.folder is None or self.left[i]:
             return

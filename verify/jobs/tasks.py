@@ -38,7 +38,7 @@ class Task:
 class Judging:
     """Task to judge the job with the number `job`, after its levels are solved.
 
-    Levels with a result are stored.
+    `levels` contains no results; these are read from the store in `folder`.
     """
 
     case: Case
@@ -56,7 +56,7 @@ class Judging:
 
 
 def named(kind: Callable[..., Any], find: Callable[[str], Case], case_id: str, *rest: Any) -> Any:
-    """Task whose case is found by its id in another process, because functions are not pickled."""
+    """Task for the case with this id; each process finds the case, as functions are not pickled."""
     return kind(find(case_id), *rest)
 
 

@@ -57,8 +57,8 @@ def remaining_seconds(
 ) -> float:
     """Remaining time [s] until the end of the last level.
 
-    `running` contains (expected, elapsed) seconds of the running levels, `waiting` the expected
-    seconds of those that follow in this order, each on the first free process.
+    `running` contains the expected and elapsed seconds of each running level. `waiting` contains
+    the expected seconds of waiting levels, which start in this order as processes become free.
     """
     left = [e - t if e > t else OVERRUN * t for e, t in running]
     free = left + [0.0] * max(processes - len(left), 0)

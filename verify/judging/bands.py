@@ -1,4 +1,4 @@
-"""Judging at user inputs of formulas with an error band: SHOWN if the meshes are too coarse."""
+"""Judge formulas with an error band at user inputs; rows are SHOWN if meshes are too coarse."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -15,9 +15,9 @@ TWICE = 2.2  # half bands: largest change of a formula inside its band, with a m
 
 
 def undecided(rows: list[Row], band: tuple[float, float]) -> list[Row]:
-    """Rows for user inputs: SHOWN instead of FAIL if the meshes do not resolve the `band`.
+    """Rows for user inputs; a row is SHOWN instead of FAIL if the meshes do not resolve the `band`.
 
-    This also applies if the meshes do not converge.
+    A row is also SHOWN instead of FAIL if the values do not converge.
     """
     row, half = rows[0], (band[1] - band[0]) / 2
     if row.grid is None or not row.fem or row.analytic is None:
@@ -39,7 +39,7 @@ def undecided(rows: list[Row], band: tuple[float, float]) -> list[Row]:
 
 
 def too_wide(rows: list[Row], reason: str) -> list[Row]:
-    """Rows of a comparison whose band is too wide: SHOWN, except passed convergence rows."""
+    """Rows of a comparison whose band is too wide; all but passed convergence rows become SHOWN."""
     first, *others = rows
     undecided_rows = [first, *(row for row in others if row.status is Status.FAIL)]
     others = [row for row in others if row.status is not Status.FAIL]
@@ -50,7 +50,7 @@ def too_wide(rows: list[Row], reason: str) -> list[Row]:
 
 @dataclass(frozen=True, kw_only=True)
 class OwnFormula(Approximation):
-    """Comparison of a formula whose expected error has a band, also at user inputs.
+    """Comparison of a formula that is judged by a band of expected errors, also at user inputs.
 
     At user inputs, the required sensitivity is the width of the band if this is larger. `bent` [1]
     is the widening of the band by bending at such inputs. `wide` is the reason that is displayed if

@@ -11,7 +11,7 @@ from verify.core.inputs import Inputs
 
 
 class Cause(StrEnum):
-    """Possible cause of a difference of formula and finite elements, in the order of tables."""
+    """Causes of a difference between formula and finite elements, in the order used in tables."""
 
     FORMULA = "formula"
     DISCRETISATION = "discretisation"

@@ -16,7 +16,7 @@ class Identity(FemClaim):
     """Comparison of a formula and finite elements that solve the same problem: |FE - formula| <= U.
 
     `residual` is the analytic key of the standard uncertainty of a truncated series, relative to
-    the scale.
+    the scale of the row.
     """
 
     kind = Kind.IDENTITY
@@ -194,7 +194,7 @@ Margin = Callable[[Context], tuple[float, float, str]]
 class Accepted(Claim):
     """A statement with an acceptance limit that is valid for the paper's inputs only.
 
-    At user inputs, the row is SHOWN. `margin` returns the margin of the error to the figure, the
+    At user inputs, the row is SHOWN. `margin` returns the margin of the error to the limit, the
     expanded uncertainty of the margin, and a text that states the error. A statement for fitted
     inputs is CALIBRATED; `fitted` names these inputs.
     """

@@ -1,4 +1,4 @@
-"""Common part of all claims of a case: rows in display units, with their convergence rows.
+"""Base classes of the claims of a case, and functions that make their rows and verdicts.
 
 Keys refer to SI values of the formulas or of the finite elements; rows are in display units.
 """
@@ -29,9 +29,9 @@ class Claim(ABC):
     """Base class of all claims, each of which gives rows of the report.
 
     `printed` lists published values ("paper:id") that are displayed with the row. `formula` is the
-    key of the judged value of the formulas, `equation` its number or source, `form` its form, and
-    `safe` its safe side. `shares` states what formula and reference have in common in addition to
-    the inputs.
+    key of the judged value of the formulas, and `equation` the number or source of the equation.
+    `form` is "as printed" or "corrected". `safe` is the safe side of the error, "too high" or
+    "too low". `shares` states what formula and reference have in common besides the inputs.
     """
 
     kind: ClassVar[Kind]
@@ -147,8 +147,8 @@ class FemClaim(Claim):
 
     `formal` is the theoretical order of convergence. `by` is the name of another method that gives
     these values and is refined like a mesh. A sweep includes the claim if it can be judged from
-    values only (`swept`). `own_demand`, for the reason `own_reason`, is the required sensitivity at
-    user inputs if it is lower than that of the suite.
+    values only (`swept`). At user inputs, the smallest relative error that must make the row fail
+    is at least `own_demand`, for the reason `own_reason`.
     """
 
     swept: ClassVar[bool] = True

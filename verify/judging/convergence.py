@@ -177,18 +177,18 @@ def observed_order(ratio: float, r21: float, r32: float) -> float:
 
 
 def order_from_iteration(h: Sequence[float], values: Sequence[float], u_it: float) -> float:
-    r"""Largest increase of the observed order that iteration errors can cause.
+    r"""Largest amount by which iteration errors can make the observed order too high.
 
-    Each of the last three values may have the error ± u. The order is lowest if the error of the
-    middle value is opposite to the errors of the other two, for any ratios of the meshes; the
-    logarithm of the ratio of differences then decreases by
+    Each of the last three values may have the error ± u. For any ratios of the meshes, the order
+    without these errors is lowest if the error of the middle value is opposite to the errors of the
+    other two. The logarithm of the ratio of differences is then smaller by
 
     .. math:: \ln\left(1 + \frac{2u}{|v_1 - v_2|}\right)
         - \ln\left(1 - \frac{2u}{|v_2 - v_3|}\right)
 
-    The decrease is divided by the derivative with respect to p, :func:`slope_of_ratio`. The
-    derivative is monotonic in p: its smaller value at the lowest and at the observed order gives
-    the bound.
+    This is divided by the derivative of the logarithm with respect to p, :func:`slope_of_ratio`.
+    The derivative is monotonic in p. Therefore, the smaller of its values at the lowest order and
+    at the observed order gives the bound.
     """
     (h3, h2, h1), (v3, v2, v1) = h[-3:], values[-3:]
     fine, coarse, r21, r32 = abs(v1 - v2), abs(v2 - v3), h2 / h1, h3 / h2
@@ -216,7 +216,8 @@ class OrderFit:
     """Order of convergence of errors as h goes to 0, and its standard uncertainty `u`.
 
     `slopes` are the slopes of log error over log h between neighbouring levels. `parts` are the
-    contributions to `u`: scatter, half of the last correction, and round-off.
+    contributions to `u`: scatter, half of the difference between `order` and the slope fitted at
+    the finest mesh, and round-off.
     """
 
     order: float
@@ -229,9 +230,9 @@ def fit_order(h: Sequence[float], errors: Sequence[float]) -> OrderFit:
     r"""Asymptotic order of convergence of positive errors relative to an exact value.
 
     The slopes p_k between neighbouring levels approach the order linearly in h (next term of the
-    error series): p = p_0 + c h is fitted to the last three slopes. The scatter of the fit and half
-    of the last correction give the standard uncertainty, so that the correction may be of first or
-    of second order in h.
+    error series): p = p_0 + c h is fitted to the last three slopes. The standard uncertainty
+    contains the scatter of the fit, and half of the last correction c h, because the correction may
+    also be of second order in h.
     """
     _check(h, errors)
     if len(errors) < 4 or min(errors) <= 0:

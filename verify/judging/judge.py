@@ -146,11 +146,11 @@ class LimitFit:
 def fit_limit(eps: Sequence[float], d: Sequence[float], u: Sequence[float]) -> LimitFit:
     """Fit of d = d0 + c eps^q by weighted least squares.
 
-    At least four points are required, over at least a decade of eps. For each q, the constants d0
-    and c are linear; the optimal q is searched for in (0, 10]. The stated standard uncertainties
+    At least four points are required, over at least a decade of eps. For a given q, d is linear in
+    d0 and c; the optimal q is searched for in (0, 10]. The errors with the standard uncertainties
     `u` may have the same sign at all points, as for similar meshes; therefore, their effects on a
-    constant are added. If the scatter about the fit has a larger effect, the scatter is used
-    instead, as independent errors.
+    constant are added. If the scatter about the fit, taken as independent errors, has a larger
+    effect, this effect is used instead.
     """
     x, y, sigma = (np.asarray(a, dtype=np.float64) for a in (eps, d, u))
     decade = np.all(np.isfinite(x)) and np.all(x > 0) and x.size >= 4
@@ -203,8 +203,8 @@ def quadratic_coefficient(
 ) -> tuple[float, float]:
     """Coefficient c of d = c eps^2 + e eps^4 by weighted least squares, and its U.
 
-    U is the expanded uncertainty. The standard uncertainties `u` of the points may all have the
-    same sign, as for similar meshes; therefore, their effects on c are added.
+    U is the expanded uncertainty. The errors with the standard uncertainties `u` may have the same
+    sign at all points, as for similar meshes; therefore, their effects on c are added.
     """
     x, y, sigma = (np.asarray(a, dtype=np.float64) for a in (eps, d, u))
     if x.size < 3 or not (np.all(np.isfinite(y)) and np.all(np.isfinite(sigma) & (sigma > 0))):

@@ -1,4 +1,4 @@
-"""Checks of printed forms and statements that contradict themselves."""
+"""Checks of printed formulas and statements that contradict other statements of their paper."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -11,7 +11,7 @@ from verify.judging.claims import Claim
 
 @dataclass(frozen=True, kw_only=True)
 class Misprint(Claim):
-    """A printed form that contradicts other statements of its paper.
+    """A printed formula or statement that contradicts other statements of its paper.
 
     `margin` returns the margin of the contradiction, and a text. If the margin is positive, the row
     is a NOTE with its errata entry `erratum`. Otherwise, the entry is wrong and the row fails.

@@ -41,7 +41,7 @@ class ProfileError(Identity):
 class Within(Fact):
     """Check that the error of a profile is within the accepted error `accepted`.
 
-    `margin` is the figure minus the error.
+    `margin` is `accepted` minus the error.
     """
 
     accepted: float

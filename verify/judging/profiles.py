@@ -14,10 +14,10 @@ def along(context: Context, key: str, *, formal: float, scale: float) -> tuple[A
     """Values (m,) of the finest level at fixed points, and their standard uncertainty (m,).
 
     `key` is the name of arrays (m,) that every level evaluated at the same points. `formal` is the
-    order of convergence of their largest error. On each mesh, a fixed point has another position in
-    its cell; therefore, its differences have no order. The largest difference over all points has
-    an order. One uncertainty, from the grid convergence of this difference, is used for the whole
-    profile.
+    order of convergence of their largest error. From mesh to mesh, the position of a fixed point in
+    its cell changes; therefore, the differences between meshes at one point have no order. The
+    largest difference over all points has an order. One uncertainty, from the grid convergence of
+    this difference, is used for the whole profile.
     """
     h = [result.h for result in context.fem]
     values = np.array([result.arrays[key] for result in context.fem])

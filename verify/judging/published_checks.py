@@ -73,7 +73,7 @@ class PrintedTheory(PrintedClaim):
 
 @dataclass(frozen=True, kw_only=True)
 class PrintedMeasurement(PrintedClaim):
-    """Comparison with a printed test or finite-element value without uncertainty (SHOWN only)."""
+    """Comparison with a printed value of a test or of finite elements; SHOWN, without a verdict."""
 
     kind = Kind.APPROXIMATION
 

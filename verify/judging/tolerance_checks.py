@@ -1,6 +1,6 @@
 """Claims that two values of one quantity agree within a tolerance stated beforehand.
 
-The tolerance is an accepted error of the subject, a statement of a paper, or a requirement of
+The tolerance is an accepted error of the quantity, a statement of a paper, or a requirement of
 the suite with its reason. It is never taken from the finite elements of the row. Such a claim is
 judged like any comparison, with its detection limit.
 """
@@ -26,8 +26,8 @@ BOTH_WAYS = "twice the accepted error, because the error may have either sign"
 class Pair:
     """A value, its reference, and the expanded uncertainty U of the reference [SI].
 
-    `words` states the error. `allowed` is the permitted signed model error, if the tolerance refers
-    to another value.
+    `words` states the error. If the tolerance refers to a value other than `reference`, `allowed`
+    is the permitted interval of the signed model error.
     """
 
     value: float
@@ -41,9 +41,9 @@ class Pair:
 class Stated(Claim):
     """Base class of claims with an accepted error that is valid for the paper's inputs only.
 
-    At user inputs, the error is SHOWN, unless the figure is valid `everywhere`. `source` is the
-    origin of the figure: `SUBJECT`, a place in a paper, or `suites`. `by` is the method of the
-    reference; if it is empty, finite elements.
+    At user inputs, the error is SHOWN; with `everywhere`, it is also judged there. `source` is the
+    origin of the accepted error: `SUBJECT`, a place in a paper, or a text by `suites`. `by` is the
+    method of the reference; it is empty for finite elements.
     """
 
     accepted: float
@@ -143,15 +143,15 @@ def farthest(values: NDArray[np.float64], references: NDArray[np.float64], u: fl
 
 
 def suites(reason: str) -> str:
-    """Text that gives `reason` as the source of a figure that only this suite requires."""
+    """Text that gives `reason` as the source of an accepted error that only this suite requires."""
     return f"requirement of the suite: {reason}"
 
 
 def demanded(accepted: float) -> dict[str, Any]:
-    """Required sensitivity for the accepted error `accepted`: twice this figure.
+    """Required sensitivity for the accepted error `accepted`: twice this error.
 
-    The result is empty if twice the figure does not exceed the default of the suite, which then
-    applies.
+    The result is empty if twice the accepted error does not exceed the default of the suite, which
+    then applies.
     """
     if 2 * accepted <= judge.DEMAND:
         return {}

@@ -35,7 +35,7 @@ class Value(Entry):
 
     @property
     def standard_uncertainty(self) -> float | None:
-        """Half a unit of the last printed place, over √3, in `unit`; None if approximate."""
+        """Half a unit of the last printed place, divided by √3, in `unit`; None if approximate."""
         return None if self.approximate else half_last_digit(self.printed) / math.sqrt(3)
 
     @model_validator(mode="after")

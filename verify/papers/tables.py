@@ -1,4 +1,4 @@
-"""Tables of a paper in its layout; cells refer to printed values of the same file.
+"""Tables in the layout of the paper; cells refer to printed values in the file of the paper.
 
 A cell "=k1-theory" is replaced by the value with this id, so that each number is entered only once.
 Any other cell is plain text.

@@ -1,4 +1,4 @@
-"""Lines that a failed row or part prints instead of a traceback."""
+"""Text that pytest prints for a failed row or machine part, instead of a traceback."""
 
 import re
 import shlex
@@ -11,7 +11,7 @@ NO_MODULE = re.compile(r"No module named '(\w+)")
 
 
 class FreewheelError(Exception):
-    """Failure of a row or a part; the test prints its message."""
+    """Failure of a row or of a machine part; the test prints the message of this error."""
 
 
 def failure(row: Row, file: str) -> str:

@@ -1,4 +1,4 @@
-"""The command `deep`: long studies, measured once and read by reports."""
+"""The command `deep` runs long studies once and stores their results for reports."""
 
 from collections.abc import Sequence
 
@@ -13,7 +13,7 @@ STUDIES = {study.name: study for study in (DEEP_CASES, VALIDITY, BUDGET)}
 
 
 def run_deep(names: Sequence[str], *, jobs: int, again: bool = False) -> int:
-    """Run the named studies that have no record for the present code; by default all of them.
+    """Run the named studies, by default all, if they have no record for the present code.
 
     "validity" and "validity:CASE" measure ranges of validity, "budget" and "budget:CASE" the causes
     of differences. Other names are those of deep cases. Returns 0 if everything was measured, 1 if

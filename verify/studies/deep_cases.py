@@ -37,7 +37,7 @@ class DeepCases(Study):
 
 
 def measure(cases: Sequence[Case], where: Where, _again: bool) -> bool:
-    """Solve all levels of the cases that are not in the cache, and store the complete cases."""
+    """Solve the levels that are not in the cache, and store each case that has no failed row."""
     results = solve([Job(case, case.inputs(), drawn=False) for case in cases], where, True)
     good = [_store(case, result) for case, result in zip(cases, results, strict=True)]
     return all(good)

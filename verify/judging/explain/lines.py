@@ -72,7 +72,7 @@ def difference_steps(row: Row, verdict: judge.Verdict, what: str) -> tuple[Step,
 
 
 def _share(row: Row) -> str:
-    """Text of the relative difference, by the convention of all pages."""
+    """Text of the relative difference, in the form that all pages use."""
     found = difference(row)
     if found is None or row.kind is Kind.TREND:
         return ""

@@ -37,7 +37,7 @@ class Part:
 
 @dataclass(frozen=True)
 class Joint:
-    """Joint effect of two causes: effect of removing both, minus the sum of the single effects."""
+    """Effect of removing two causes together, minus the sum of their effects if removed alone."""
 
     names: tuple[str, str]
     value: float | None
@@ -88,8 +88,8 @@ def removed(
 def finer(name: str, finest: float, beyond: float, h: tuple[float, float], order: float) -> Part:
     """Contribution of the discretisation: change of the error on a mesh finer than all others.
 
-    The uncertainty is the error that remains on this mesh by the order of convergence. `h` contains
-    both mesh sizes. `order` is the order of the series or NaN.
+    The uncertainty is the remaining error on this mesh, estimated by the order of convergence. `h`
+    contains both mesh sizes. `order` is the order of convergence, NaN if it is unknown.
     """
     change = finest - beyond
     if not math.isfinite(change):

@@ -25,7 +25,7 @@ class Values:
 
     @property
     def error(self) -> float:
-        """Error (formula - FE)/scale, NaN without a scale."""
+        """Error (formula - FE)/scale; NaN if there is no scale."""
         return (self.formula - self.fe) / self.scale if self.scale else math.nan
 
 
@@ -35,7 +35,8 @@ NONE = Values(math.nan, math.nan, math.nan)
 def values(pair: Pair, inputs: Any, found: Solution) -> Values:
     """Compared values of a row in one solution.
 
-    If the claim derives other values, they are taken from the row that the claim gives.
+    If the row compares quantities derived from the stored values, the claim computes the row, and
+    the compared values are read from this row.
     """
     if found.problem:
         return NONE

@@ -63,8 +63,8 @@ def headline(plan: Plan, rows: Sequence[Found]) -> str:
 def apart(known: balance.Balance) -> bool:
     """Whether the budget is complete: the total error is at most LARGE, or the remainder is small.
 
-    The remainder is small if it is within LEFT of the total error, or within its expanded
-    uncertainty.
+    The remainder is small if it is at most LEFT times the total error, or at most the expanded
+    uncertainty of the remainder.
     """
     left = abs(known.remainder)
     return abs(known.total) <= LARGE or left <= max(

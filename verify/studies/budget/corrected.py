@@ -29,7 +29,7 @@ def budgets(plan: Plan, solutions: Solutions) -> tuple[RowBudget, ...]:
 
 
 def _twin(pair: Pair, by: Corrected | None) -> Pair:
-    """The row with the value of the corrected formula instead of that of the formula."""
+    """The row with the corrected formula instead of the printed one; unchanged if `by` is None."""
     if by is None:
         return pair
     claim = replace(pair.claim, analytic=by.key)  # type: ignore[call-arg]
@@ -39,7 +39,7 @@ def _twin(pair: Pair, by: Corrected | None) -> Pair:
 def _printed(
     pair: Pair, twin: RowBudget, by: Corrected, plan: Plan, solutions: Solutions
 ) -> RowBudget:
-    """Budget of a row from that of the corrected row; the correction is the first contribution."""
+    """Budget of a row: the correction `by`, then the contributions in the budget of its `twin`."""
     step = Step(plan.case.id, (AS_IT_IS,), plan.case.levels[-1])
     total = values(pair, inputs_of(plan, step), solutions[step]).error
     change = total - twin.balance.total

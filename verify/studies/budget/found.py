@@ -114,7 +114,7 @@ class _Reader:
         return Part(f"{Cause.ITERATION}: {note}", 0.0, u, note=note)
 
     def joints(self, pair: Pair, known: Balance) -> tuple[Joint, ...]:
-        """For pairs of large causes, the joint effect minus the sum of both single effects."""
+        """Joint effects of all pairs of large causes."""
         reruns = self.plan.reruns
         names = [name for name in known.large if name in reruns and not reruns[name].after]
         return tuple(self._joint(pair, both) for both in combinations(names, 2))

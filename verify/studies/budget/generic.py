@@ -53,7 +53,7 @@ def without(case: Case) -> tuple[Without, ...]:
 
 
 def contact(case: Case, levels: tuple[int, ...]) -> tuple[Rerun, ...]:
-    """Rerun that integrates an exact contact law at more points; empty without such a law."""
+    """Rerun with more integration points for an exact contact law; empty without such a law."""
     modules = reached(case)
     return tuple(
         Rerun(

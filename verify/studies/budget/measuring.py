@@ -106,7 +106,11 @@ class _Run:
         self.dispatch.total += len(more)
 
     def _more(self, plan: Plan) -> set[Step]:
-        """Further reruns that the results require: looser tolerances, pairs of large causes."""
+        """Further reruns that the results require.
+
+        These are a rerun with looser tolerances, if the one with tighter tolerances failed, and
+        reruns that remove pairs of large causes.
+        """
         mine = self.of(plan)
         level = plan.case.levels[0]
         tight = mine.get(Step(plan.case.id, (TIGHT,), level))
@@ -136,7 +140,7 @@ class _Run:
 
 
 def solve_step(step: Step) -> Solution:
-    """Solution of a rerun, from the default cache or computed; for any process."""
+    """Read the solution of a rerun from the default cache, or compute it; works in any process."""
     return solved(plan_of(step.case), step, cache.default_folder())
 
 

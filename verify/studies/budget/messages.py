@@ -1,6 +1,7 @@
-"""Names of the discretisation cause in a budget, by the kind of refinement of the case.
+"""Names of the cause "discretisation" in a budget, by the kind of refinement of the case.
 
-Stored names contain the numbers of levels. This module replaces them by the kind of refinement.
+Stored names contain the numbers of levels. This module replaces these numbers by words for the kind
+of refinement, such as "the next finer mesh".
 """
 
 import re
@@ -23,7 +24,7 @@ _EXTRAPOLATED = f"{Cause.DISCRETISATION}: {RICHARDSON}"
 
 
 def in_words(case_id: str, rows: Iterable[RowBudget]) -> tuple[RowBudget, ...]:
-    """Budgets with the discretisation named after what the case refines, such as meshes."""
+    """Budgets in which the discretisation is named after what the case refines, such as meshes."""
     next_one, finest = OTHER.get(case_id, MESHES)
 
     def renamed(name: str) -> str:

@@ -82,7 +82,7 @@ def rows(case: Case) -> tuple[Pair, ...]:
 
 
 def first(plan: Plan) -> tuple[Step, ...]:
-    """Reruns of the first round: unchanged, finer, tighter tolerances, single causes removed."""
+    """Reruns of the first round: unchanged, finer mesh, tighter tolerances, one cause removed."""
     case = plan.case
     found = [Step(case.id, (AS_IT_IS,), level) for level in case.levels]
     if plan.statement.finer:
@@ -113,8 +113,8 @@ def together(plan: Plan, large: Sequence[Sequence[str]]) -> tuple[Step, ...]:
 def joint(plan: Plan, pair: tuple[str, str]) -> Step | None:
     """Rerun with both causes of a pair removed; None if they cannot be removed together.
 
-    This is the case if both reruns have separate finite elements, or if one of them is applied
-    after another rerun.
+    They cannot if both reruns have separate finite elements, or if one of the two causes can only
+    be removed after another cause.
     """
     both = [plan.reruns[name] for name in pair]
     if all(rerun.fem is not None for rerun in both) or any(rerun.after for rerun in both):

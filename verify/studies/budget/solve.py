@@ -1,4 +1,4 @@
-"""Solution of one rerun of a budget, in any process, and its entry in the store."""
+"""Solve one rerun of a budget in any process, and store the solution."""
 
 import hashlib
 import importlib

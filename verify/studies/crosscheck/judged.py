@@ -38,10 +38,10 @@ def judged(cross: Cross, found: Found) -> tuple[Crosscheck, ...]:
 
 
 def reported(cases: Sequence[str]) -> tuple[Crosscheck, ...]:
-    """Records for a report on `cases`: stored or missing results, cases without a solver.
+    """Records for a report on `cases`: one for each quantity that both solvers have computed.
 
-    A case without a comparison has a line with the reason. If there are only such cases, the result
-    is empty.
+    A comparison without a stored result, and a case that no second solver can solve, have one
+    record with the reason. If no case has a comparison, the result is empty.
     """
     found = [line for cross in COMPARISONS if cross.case in cases for line in _of(cross)]
     if not found:

@@ -13,11 +13,11 @@ from fem.rotor.model import Link, Rotor, Support
 def asked(
     rotor: Rotor, speeds: Sequence[float], count: int, unbalance: Mapping[str, Any] | None = None
 ) -> dict[str, Any]:
-    """Input data for ROSS: the rotor, in `rotor.refine` elements per piece, and requested results.
+    """Input data for ROSS: rotor with `rotor.refine` elements per piece, and requested results.
 
     `unbalance` contains nodes, magnitudes [kg m], phases [rad], speeds [rad/s] and the node of the
-    probe. Raises ValueError if a shaft has another speed than the rotor, or if ROSS does not have
-    such a bearing.
+    probe. Raises ValueError if a speed ratio is not 1, or if a bearing depends on the speed of
+    rotation or acts in other directions than x and y.
     """
     if any(shaft.ratio != 1 for shaft in rotor.shafts):
         raise ValueError("ROSS has one speed for all coaxial shafts: all speed ratios must be 1")

@@ -14,7 +14,7 @@ Numbers = Mapping[str, float]
 class Quantity:
     """One quantity of a comparison, and the row of the case to which it belongs.
 
-    With `beside`, it is another quantity of the same problem, not the quantity of the row.
+    With `beside`, the row judges a different quantity of the same problem.
     `allowed` is the permissible relative difference between both solvers, and `why` the reason for
     a difference of this size.
     """

@@ -1,4 +1,4 @@
-"""Output of `freewheel design`: counts and reasons, the front, the chosen spring."""
+"""Output of `freewheel design`: counts, reasons of rejection, Pareto front, selected spring."""
 
 import math
 from collections.abc import Sequence
@@ -24,7 +24,7 @@ FRONT = (("n", "n", 0), ("b", "b", 4), ("L1", "L_1", 3), ("r", "r", 3), ("alpha"
 
 
 def print_outcome(outcome: Outcome, system: System = "mm") -> None:
-    """Print counts of candidates, violated limits, and the front or the required relaxations."""
+    """Print counts of candidates and violations, and the Pareto front or required relaxations."""
     s = outcome.search
     feasible = int(s.judged.feasible.sum())
     print(f"{s.task.name}: {len(s.springs):,} candidates, {feasible:,} feasible")
@@ -48,7 +48,7 @@ def print_outcome(outcome: Outcome, system: System = "mm") -> None:
 
 
 def front_table(outcome: Outcome, system: System = "mm") -> list[tuple[str, ...]]:
-    """Cells of the table of the front: lines of symbols and units, then one line per member."""
+    """Table of the Pareto front: lines of symbols and units, then one line per spring."""
     s, values = outcome.search, columns(outcome.search)
     unit_of = dict(COLUMNS) | {"n": ""}
     target = {name: unit_in(unit_of[name], system) for name, _, _ in FRONT}
@@ -77,12 +77,12 @@ def front_table(outcome: Outcome, system: System = "mm") -> list[tuple[str, ...]
 
 
 def _decimal(value: float, digits: int, scale: float) -> str:
-    """A converted number as text, with about as many significant digits as before."""
+    """Text of a number that was multiplied by `scale`; it had `digits` decimals before."""
     return f"{value:.{max(0, digits - round(math.log10(scale)))}f}"
 
 
 def by_fem(v: Verified, system: System = "mm") -> tuple[str, ...]:
-    """Cells with the finite-element results of one member; the last cell is the verdict."""
+    """Table cells with the finite-element results of one spring; the last cell is the verdict."""
     stiffness, length = (ratio(unit, unit_in(unit, system)) for unit in ("N/mm", "mm"))
     return (
         _decimal(v.k1 / 1e3 * stiffness, 5, stiffness), f"{100 * v.deviation:+.3f} %",
@@ -92,7 +92,7 @@ def by_fem(v: Verified, system: System = "mm") -> tuple[str, ...]:
 
 
 def verdict(v: Verified) -> str:
-    """Verdict of finite elements on one member, in words; an inaccurate formula comes first."""
+    """First reason why finite elements reject a spring, such as the error of k_1; or "accepted"."""
     if not v.agrees:
         return f"k_1 beyond ±{100 * v.limit:.2g} %"
     if v.curve.touches <= v.U_w:
@@ -193,7 +193,7 @@ def _limit_line(limit: Limit, i: int) -> tuple[str, ...]:
 
 
 def spare(limit: Limit, i: int) -> str:
-    """Margin of candidate `i` to the limit, as a percentage of the bound; "∞" if unlimited."""
+    """Margin of candidate `i` to the limit, as a percentage of the bound; "∞" without a bound."""
     room = -float(limit.excess[i])
     return "∞" if np.isinf(room) else f"{100 * room:.3g} %"
 

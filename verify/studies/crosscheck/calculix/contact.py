@@ -59,10 +59,10 @@ class ContactDeck:
     """Successive states of a contact problem as a calculix deck.
 
     `shift` (nodes, 2) is the initial displacement of nodes from their positions in the mesh. It
-    models an interference, which the project subtracts from its gaps, as an overlap. In calculix, a
-    clearance replaces the gap and is not added to it. Therefore, an interference without `shift`
-    raises ValueError. `given` contains forces along mean motions, by number, that act instead of
-    these motions.
+    models an interference as an overlap of the bodies, because a clearance in calculix would
+    replace the gap and not change it by the interference. An interference without `shift` raises
+    ValueError. `given` contains forces (number of a mean motion: force) that act along mean
+    motions; these motions are then not prescribed.
     """
 
     states: Sequence[ContactSolution]
@@ -120,7 +120,7 @@ class ContactDeck:
 
     @property
     def share(self) -> float:
-        """Thickness in the deck divided by that in the problem; forces have the same ratio."""
+        """Thickness in the deck divided by that in the problem; also the ratio of the forces."""
         return self.depth / self.bodies.thickness
 
     @property

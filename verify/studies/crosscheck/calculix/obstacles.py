@@ -69,7 +69,7 @@ def strip_of(obstacle: Obstacle, slave: Array, *, turn: bool = False) -> Strip:
 
 
 def _from_axis(reach: float) -> Array:
-    """Radii of nodes, fine near the axis, where calculix misses contacts with wide faces."""
+    """Radii of nodes; near the axis, calculix would miss contacts if element faces were wide."""
     r = np.zeros(2 * RINGS + 1)
     r[::2] = reach * np.linspace(0.0, 1.0, RINGS + 1) ** 2
     r[1::2] = (r[:-1:2] + r[2::2]) / 2

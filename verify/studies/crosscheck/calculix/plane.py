@@ -42,9 +42,9 @@ class Spin:
 class PlaneDeck:
     """A solved plane problem as a calculix deck.
 
-    `pressures` are pressures on boundaries that calculix integrates; they replace the nodal forces
-    of the solution. `spin` does the same for centrifugal forces. `brief` decks request only
-    displacements and stresses, not reactions and energies.
+    calculix integrates `pressures` on boundaries and the centrifugal forces of `spin`. If either is
+    given, the nodal forces of the solution are not used. `brief` decks request only displacements
+    and stresses, not reactions and energies.
     """
 
     solution: PlaneSolution
@@ -140,8 +140,8 @@ class Supports:
     """Supports, ties and mean motions of a solution, in the node numbers of a deck.
 
     Supports along an axis become fixed nodes. Other supports become equations, whose right side is
-    the displacement of an additional node. Additional nodes are numbered after the first `first`
-    nodes. Mean motions in `without` are not constrained.
+    the displacement of an additional node. The numbers of additional nodes are larger than `first`
+    and larger than the numbers of mesh nodes. Mean motions in `without` are not constrained.
     """
 
     def __init__(

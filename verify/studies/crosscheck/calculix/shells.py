@@ -1,8 +1,8 @@
 """Shells of `fem.shell` as calculix decks: eight-node shells with reduced integration.
 
 The nodes are those of the nine-node cells, except the centres. calculix converts the shells to one
-layer of solid elements, with rigid knots at supported rotations. Therefore, a clamp stiffens a part
-of its first cells.
+layer of solid elements, with rigid knots at supported rotations. Therefore, a clamp stiffens parts
+of the cells next to it.
 """
 
 from collections.abc import Sequence

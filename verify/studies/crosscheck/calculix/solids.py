@@ -36,7 +36,7 @@ class SolidDeck:
 
     def __post_init__(self) -> None:
         if np.any(self.solution.f) or self.solution.conditions.ties:
-            raise ValueError("a solid deck must have prescribed displacements, no loads or ties")
+            raise ValueError("the problem of a solid deck must not have loads or guides")
 
     @cached_property
     def cells(self) -> Indices:

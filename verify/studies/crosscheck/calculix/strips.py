@@ -29,10 +29,10 @@ def plane_strain_section(b: float, radius: float | None = None) -> Section:
 
 @dataclass(frozen=True)
 class Strip:
-    """A strip: nodes (n, 2) and cells (m, 8) in rows along its line.
+    """A strip: nodes (n, 2) and cells (m, 8), in order along the line of the strip.
 
-    `across` contains the nodes of each row of corners. `pieces[k]` is the range of the cells of
-    piece k.
+    `across` contains the nodes of each section between cells. `pieces[k]` is the range of the cells
+    of piece k.
     """
 
     points: Array
@@ -93,6 +93,7 @@ def _place(piece: Piece, share: float) -> tuple[float, float, float]:
 def section_held(part: Strip, station: int, along: int) -> list[Held]:
     """Supports of a clamp.
 
-    The section cannot move in the direction `along`; only its middle is fixed across it.
+    All nodes of the section are fixed in the direction `along`. In the other direction, only the
+    middle node is fixed.
     """
     return [Held(part.across[station], along), Held([part.middle(station)], 1 - along)]

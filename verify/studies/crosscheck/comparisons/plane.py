@@ -83,5 +83,5 @@ def hoop(solution: "PlaneSolution", boundary: str) -> float:
 
 
 def radial(solution: "PlaneSolution", point: tuple[float, float]) -> float:
-    """Radial displacement away from the origin of the node at `point`."""
+    """Radial displacement of the node at `point`, positive away from the origin."""
     return float(np.dot(solution.displacement_at(point), point) / np.hypot(*point))

@@ -1,4 +1,4 @@
-"""Rings under pressure, sprag forces and rotation, and polyhedral rings, against calculix."""
+"""Rings under pressure, sprag forces or rotation, and polyhedral rings, compared with calculix."""
 
 from functools import partial
 from typing import TYPE_CHECKING, Any
