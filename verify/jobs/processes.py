@@ -1,8 +1,8 @@
 """An executor whose processes may die. Only the task of the dead process is lost.
 
 The executors of the standard library stop all tasks if one process dies, and wait for running tasks
-when they are shut down. Here, each thread of a pool controls one process; shutting down kills all
-of them, and a process ends if its parent process has ended.
+when they are shut down. Here, each thread of a pool controls one process. Shutting down kills all
+processes, and a process ends if its parent process has ended.
 """
 
 import os
@@ -165,7 +165,7 @@ class _Worker:
 def _without_interrupts() -> None:
     """Block Ctrl-C in this thread and in the processes that it starts.
 
-    A terminal sends Ctrl-C to all processes.
+    Without this, a terminal would send Ctrl-C to all processes.
     """
     signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
 

@@ -1,9 +1,9 @@
 """Stored results of long studies: small files, each valid only for the code that made it.
 
-All kinds have one form: {"checksum", "kind", "subject", "date", "made by", "content"}. "made by"
-includes all data on which the content depends: hashes of code, inputs, settings. A record is valid
-as long as "made by" equals the value for the present code. The checksum of all other fields shows
-whether a file was edited or damaged.
+All kinds of records have the fields "checksum", "kind", "subject", "date", "made by" and "content".
+"made by" includes all data on which the content depends: hashes of code, inputs, settings. A record
+is valid as long as "made by" equals the value for the present code. The checksum of all other
+fields shows whether a file was edited or damaged.
 """
 
 import hashlib

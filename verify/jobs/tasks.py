@@ -67,7 +67,7 @@ def load(case_ids: Sequence[str]) -> None:
 
 
 def do(task: Task | Judging) -> Solved | CaseResult | None:
-    """Solve one level, or judge one case, in any process."""
+    """Solve the level or judge the case of a task; works in any process."""
     if task.folder is not None:
         source_memory.use(task.folder)
     if isinstance(task, Judging):

@@ -113,7 +113,7 @@ class Order(Claim):
 
 @dataclass(frozen=True, kw_only=True)
 class Exact(Claim):
-    """Check of a balance of finite elements to round-off: |residual| <= bound x scale."""
+    """Check that a balance of finite elements holds to round-off: |residual| <= bound x scale."""
 
     kind = Kind.EXACT
 

@@ -113,8 +113,8 @@ def convergence_verdict(
 
     The observed order must exceed 0.5 by more than the effect of iteration. Otherwise, the grid
     convergence index must be below `allowed`. If the error of iteration can move the order below
-    0.5, the index is three times the spread of the values: the verdict is then the same for orders
-    above and below 0.5. `v`, `u_it` and `allowed` have the same unit.
+    0.5, the index is three times the spread of the values, so that the verdict is the same for
+    orders just above and just below 0.5. `v`, `u_it` and `allowed` have the same unit.
     """
     if grid.behaviour == "monotone" and grid.order is not None:
         verdict = judge.fact(grid.order - LEAST_ORDER, order_from_iteration(h, v, u_it))

@@ -67,10 +67,10 @@ def grid_convergence(
 ) -> GridConvergence:
     """Convergence of `values` on meshes of size `h`.
 
-    The series diverges if |v3 - v2| exceeds |v2 - v1| by more than the iteration error, 4 u_it, and
-    round-off; |v2 - v1| is scaled to the mesh ratios, as for a series in log h. If the last
-    difference may be round-off, growth, sign and order are not evaluated: the index is a multiple
-    of the spread, :func:`unresolved_multiple`.
+    The series diverges if |v3 - v2| ln(h1/h2)/ln(h2/h3) exceeds |v2 - v1| by more than the
+    iteration error, 4 u_it, and round-off. Both sides are equal if the values are linear in log h.
+    If the last difference may be round-off, growth, sign and order are not evaluated: the index is
+    a multiple of the spread, :func:`unresolved_multiple`.
 
     Parameters
     ----------
@@ -157,7 +157,8 @@ def observed_order(ratio: float, r21: float, r32: float) -> float:
 
     .. math:: r_{21}^p \frac{r_{32}^p - 1}{r_{21}^p - 1} = \frac{v_2 - v_3}{v_1 - v_2}
 
-    The left side increases with p; therefore, the root is unique.
+    v_1 is the value on the finest mesh, and r_21 = h_2/h_1. The left side increases with p;
+    therefore, the root is unique.
     """
 
     def excess(p: float) -> float:
@@ -179,9 +180,10 @@ def observed_order(ratio: float, r21: float, r32: float) -> float:
 def order_from_iteration(h: Sequence[float], values: Sequence[float], u_it: float) -> float:
     r"""Largest amount by which iteration errors can make the observed order too high.
 
-    Each of the last three values may have the error ± u. For any ratios of the meshes, the order
-    without these errors is lowest if the error of the middle value is opposite to the errors of the
-    other two. The logarithm of the ratio of differences is then smaller by
+    Each of the last three values may have the error ± u; v_1 is the value on the finest mesh. For
+    any ratios of the meshes, the order without these errors is lowest if the error of the middle
+    value is opposite to the errors of the other two. The logarithm of the ratio of differences is
+    then smaller by
 
     .. math:: \ln\left(1 + \frac{2u}{|v_1 - v_2|}\right)
         - \ln\left(1 - \frac{2u}{|v_2 - v_3|}\right)

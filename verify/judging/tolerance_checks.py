@@ -103,8 +103,8 @@ class Deviation(Stated):
     """Check that the norm of a difference over a field or a set is below `accepted`.
 
     `size(context)` returns the norm relative to the whole, its expanded uncertainty, and a text
-    that states the error. Formula and reference solve the same problem; a change of one of them by
-    p of the whole changes the norm by at most p.
+    that states the error. Formula and reference solve the same problem. If one of them changes by a
+    fraction p of the whole, the norm changes by at most p.
     """
 
     kind = Kind.IDENTITY

@@ -40,7 +40,7 @@ def shown_values(outputs: Sequence[Output], values: Values) -> tuple[FormulaValu
 
 
 def _inputs(q: Inputs, *, is_paper: bool) -> tuple[InputValue, ...]:
-    """All inputs of a case; at the paper's inputs, with the place where the paper states each."""
+    """All inputs of a case; if they are the paper's, each with its place in the paper."""
     if not is_paper:
         return q.display()
     claims = {name: meta(field)["claims"] for name, field in type(q).model_fields.items()}

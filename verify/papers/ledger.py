@@ -1,7 +1,7 @@
 """Printed contents of the five papers: values, tables, equations and errata, validated.
 
 Each paper has one TOML file in the folder of this module. A value is stored as the printed text,
-because its last digit is the only uncertainty of a printed number.
+because the uncertainty of a printed number is known only from its last digit.
 """
 
 import tomllib

@@ -66,9 +66,9 @@ def named_tables(place: str) -> set[str]:
 
 
 def check_tables(tables: Sequence[PrintedTable], values: Sequence[Value], printed: int) -> None:
-    """Raise ValueError if tables and values do not contain the same numbers, each once.
+    """Raise ValueError unless each value printed in a table is in exactly one cell of this table.
 
-    `printed` is the number of tables in the paper.
+    The tables must be those with the numbers 1 to `printed`, in this order.
     """
     if (names := [t.name for t in tables]) != [f"Table {i + 1}" for i in range(printed)]:
         raise ValueError(f"tables must be Table 1 to {printed} in order, got {names}")

@@ -13,7 +13,7 @@ from verify.judging.budget_statement import Argument, Change, Constant
 
 @contextmanager
 def changed(changes: Sequence[Change]) -> Iterator[None]:
-    """Apply `changes` while the body is executed; always restore the previous state afterwards.
+    """Apply `changes` in the body of a `with` statement, and always restore the previous state.
 
     A changed function or class is replaced in every module that has imported it, because the
     result must not depend on which modules were imported before. A constant is replaced in the

@@ -1,1 +1,1 @@
-"""Design of accordion springs by the rules of Wang et al. 2023, extended (Eqs. 11-13, Fig. 12)."""
+"""Design of accordion springs by Wang et al. 2023 (Eqs. 11-13, Fig. 12) and additional limits."""

@@ -41,7 +41,7 @@ class Curve:
     def displacement(self, F: float) -> float:
         """Displacement [m] at which the force first reaches F [N]; NaN if it never reaches F.
 
-        A cubic through the neighbouring points interpolates.
+        The curve is interpolated by a cubic through the neighbouring points.
         """
         beyond = np.flatnonzero(F <= self.F)
         if not beyond.size:

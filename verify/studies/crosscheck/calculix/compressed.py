@@ -26,8 +26,9 @@ def compressed(
 ) -> Problem:  # fmt: skip
     """Problem of a spring with a guided head and a tail that is fixed at mid-leaf.
 
-    Each step displaces the head along x by one of the `moves`. `line` has the form of
-    `meshes.spring.path.accordion` with complete end leaves. Any two neighbouring units may touch.
+    Each step displaces the head along x by one of the `moves`. `line` contains the arguments n, L1,
+    radius and alpha of `meshes.spring.path.accordion`; the end leaves are complete. Any two
+    neighbouring units may touch.
     """
     pieces = list(accordion(**line, tail="mid-leaf", tips=True))
     counts = [per_arc if piece.turn else per_leaf for piece in pieces]

@@ -21,7 +21,7 @@ from verify.studies.crosscheck.calculix.reading import nodal
 
 @dataclass(frozen=True, kw_only=True)
 class ShellDeck:
-    """A solved shell of constant thickness as a calculix deck: clamps and nodal forces."""
+    """A solved shell of constant thickness as a calculix deck, with clamps and nodal forces."""
 
     solution: ShellSolution
     material: Elastic

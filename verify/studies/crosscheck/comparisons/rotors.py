@@ -88,7 +88,7 @@ def sprags(node: int) -> Posed:
 def posed(
     rotor: "Rotor", speeds: Sequence[float], unbalance: dict[str, Any] | None = None
 ) -> Posed:
-    """Problem of `rotor`: frequencies at each speed; with an unbalance, the orbit at the probe."""
+    """Problem of `rotor`: frequencies at each speed; with `unbalance`, also the probe's orbit."""
     from fem.rotor.modes import modes
     from fem.rotor.response import unbalance_response
     from verify.studies.crosscheck.rotors import asked, write

@@ -27,7 +27,7 @@ ALIKE = 1e-5
 
 
 def struts() -> Posed:
-    """Inner hub of a clutch, displaced and tilted, and then rotated so that the torque is less."""
+    """Inner hub of a clutch, displaced and tilted, then rotated by an angle that reduces torque."""
     q: Any = CLUTCH.inputs()
     rest = struts_fem(q).pinned(SLICES)
     moves = np.zeros((2, 6))
@@ -57,7 +57,7 @@ def written(rest: "Joint", moves: Array, path: Path) -> Path:
     """Write the deck: a nonlinear spring for each strut between fixed nodes and the inner hub.
 
     The force law of the springs is a table. An additional spring on a separate node gives calculix
-    an unknown to solve for.
+    an unknown, because all displacements of the hub are prescribed.
     """
     from fem.rotor.struts_kinds import Pinned
     from verify.studies.crosscheck.calculix import keywords

@@ -11,7 +11,7 @@ from typing import Any
 
 
 def main(asked: Path, answer: Path) -> None:
-    """Solve the contact in the file `asked`: gap (nx, ny), cell, E_star, load, tolerance, limit."""
+    """Solve a contact; `asked` states gap (nx, ny), cell, E_star, load, tolerance and limit."""
     answer.write_text(json.dumps(press(json.loads(asked.read_text("utf-8")))), "utf-8")
 
 
