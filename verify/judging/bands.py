@@ -52,9 +52,9 @@ def too_wide(rows: list[Row], reason: str) -> list[Row]:
 class OwnFormula(Approximation):
     """Comparison of a formula that is judged by a band of expected errors, also at user inputs.
 
-    At user inputs, the required sensitivity is the width of the band if this is larger. `bent` [1]
-    is the widening of the band by bending at such inputs. `wide` is the reason that is displayed if
-    the band is too wide.
+    At user inputs, the required sensitivity is at least the width of the band, and `bent` [1] is
+    the widening of the band by bending. `wide` is the reason that is displayed if the band is too
+    wide.
     """
 
     wide: str

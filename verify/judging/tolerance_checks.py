@@ -130,7 +130,8 @@ def farthest(values: NDArray[np.float64], references: NDArray[np.float64], u: fl
     """Pair of entries with the largest relative difference, from arrays of equal size.
 
     The relative expanded uncertainty of the reference is `u`. If several differences are equal
-    except for round-off, the first pair is returned, on any processor.
+    except for round-off, the first pair is returned, so that the result is the same on any
+    processor.
     """
     off = np.ravel(values / references - 1)
     size = np.abs(off)

@@ -21,7 +21,7 @@ def paper_tables(
 
 
 def claiming_inputs(cases: Sequence[Case]) -> dict[str, list[str]]:
-    """For each printed value "paper:id": equal inputs, such as "input n of spring-accordion"."""
+    """For each printed value "paper:id", equal inputs as text: "input n of spring-accordion"."""
     found: dict[str, list[str]] = {}
     for case in cases:
         for name, field in case.inputs.model_fields.items():

@@ -1,4 +1,4 @@
-"""A parameter file as a test, which fails if the part fails its check."""
+"""A parameter file as a test, which fails if the machine part fails its check."""
 
 from collections.abc import Iterator
 from contextlib import redirect_stdout

@@ -1,4 +1,4 @@
-"""Causes of differences in the finite elements of any case, and tolerances of the solvers."""
+"""General causes of differences between formula and finite elements; tolerances of solvers."""
 
 from verify.core import source_code
 from verify.core.case import Case

@@ -113,8 +113,8 @@ def together(plan: Plan, large: Sequence[Sequence[str]]) -> tuple[Step, ...]:
 def joint(plan: Plan, pair: tuple[str, str]) -> Step | None:
     """Rerun with both causes of a pair removed; None if they cannot be removed together.
 
-    They cannot if both reruns have separate finite elements, or if one of the two causes can only
-    be removed after another cause.
+    They cannot be removed together if both reruns have separate finite elements, or if one of the
+    causes can only be removed after another cause.
     """
     both = [plan.reruns[name] for name in pair]
     if all(rerun.fem is not None for rerun in both) or any(rerun.after for rerun in both):

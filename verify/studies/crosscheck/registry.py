@@ -39,7 +39,7 @@ COMPARISONS: tuple[Cross, ...] = tuple(
 
 
 def chosen(names: Sequence[str]) -> tuple[Cross, ...]:
-    """Comparisons of the named cases; all comparisons without names.
+    """Comparisons of the named cases; all comparisons if `names` is empty.
 
     Raises InputError if a case is unknown or has no comparison.
     """

@@ -14,9 +14,9 @@ Numbers = Mapping[str, float]
 class Quantity:
     """One quantity of a comparison, and the row of the case to which it belongs.
 
-    With `beside`, the row judges a different quantity of the same problem.
-    `allowed` is the permissible relative difference between both solvers, and `why` the reason for
-    a difference of this size.
+    With `beside`, the row judges a different quantity of the same problem. `allowed` is the
+    permissible relative difference between both solvers, and `why` the reason for a difference of
+    this size.
     """
 
     name: str

@@ -1,1 +1,1 @@
-"""Design of accordion springs by Wang et al. 2023 (Eqs. 11-13, Fig. 12) and additional limits."""
+"""Design of accordion springs by Eqs. 11-13 of Wang et al. 2023 (Fig. 12) and other limits."""

@@ -60,9 +60,9 @@ class ContactDeck:
 
     `shift` (nodes, 2) is the initial displacement of nodes from their positions in the mesh. It
     models an interference as an overlap of the bodies, because a clearance in calculix would
-    replace the gap and not change it by the interference. An interference without `shift` raises
-    ValueError. `given` contains forces (number of a mean motion: force) that act along mean
-    motions; these motions are then not prescribed.
+    replace the gap instead of being added to it. An interference without `shift` raises ValueError.
+    `given` contains forces that act along mean motions (number of the mean motion: force); these
+    motions are then not prescribed.
     """
 
     states: Sequence[ContactSolution]

@@ -156,7 +156,7 @@ def sprags_quantities(loaded: str, far: str) -> tuple[Quantity, ...]:
 
 
 def polyhedral(assumption: "Assumption") -> Posed:
-    """Half a sector of the polyhedral ring under pressure, guided at both sections."""
+    """Half a sector of the polyhedral ring under pressure, guided on both cuts."""
     from fem.plane.material import Elastic
     from verify.studies.crosscheck.calculix.plane import PlaneDeck
 

@@ -82,7 +82,7 @@ def continuum(assumption: Any) -> Posed:
 
 
 def accordion(tail: Any, head: Any) -> Posed:
-    """The frame of curved elements under 1 N, compared with plane elements along its line."""
+    """The frame of curved elements under 1 N, compared with plane elements along the same line."""
     given: Any = ACCORDION.inputs()
     q = given.held(Ends("", "", head, tail))
     solved, seconds = timed(lambda: curved_frame(q, line_of(q, 2 * LEVEL)))
