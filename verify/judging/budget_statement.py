@@ -66,9 +66,9 @@ class Rerun:
     case.
 
     Some causes have no meaning while another cause acts. Such a cause is removed `after` the other
-    cause, which is given by its name; its `inputs` or `fem` then exclude both causes. `shared` marks
-    an assumption of both formula and reference: it is no part of their difference and is listed
-    separately.
+    cause, which is given by its name; its `inputs` or `fem` then exclude both causes. With
+    `shared`, the cause is an assumption of both formula and reference: it is no part of their
+    difference and is listed separately.
     """
 
     cause: Cause

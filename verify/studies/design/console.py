@@ -77,7 +77,7 @@ def front_table(outcome: Outcome, system: System = "mm") -> list[tuple[str, ...]
 
 
 def _decimal(value: float, digits: int, scale: float) -> str:
-    """Text of a number that was multiplied by `scale`; `digits` is the number of decimals before."""
+    """Text of a number that was multiplied by `scale`; `digits` are the decimals before this."""
     return f"{value:.{max(0, digits - round(math.log10(scale)))}f}"
 
 
