@@ -1,4 +1,4 @@
-"""Stiffness of a linear solution under a unit force, from its potential energy."""
+"""Stiffness of a linear structure, from its potential energy under a unit force."""
 
 from typing import Protocol
 
@@ -22,7 +22,7 @@ class Solved(Protocol):
 
 
 def stiffness(solved: Solved) -> tuple[float, float]:
-    """Stiffness [force/length] of a solution under a unit force, and its uncertainty by round-off.
+    """Stiffness [force/length], from the solution under a unit force, and uncertainty by round-off.
 
     The relative error of the energy is the square of the relative error of the displacements.
     """

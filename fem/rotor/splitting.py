@@ -11,7 +11,7 @@ PAIRED = 0.5  # M-product of two shapes of unit modal mass, from which on they a
 
 
 class Matrix(Protocol):
-    """Interface of dense and sparse matrices: the product with a matrix of columns."""
+    """Protocol of dense and sparse matrices that can multiply a dense matrix."""
 
     def __matmul__(self, other: Array, /) -> Array: ...
 
@@ -35,8 +35,9 @@ def gyroscopic_splitting(
     .. math:: w_f - w_b = \Omega\, \frac{v_b \cdot G v_f}{v_b \cdot M v_f}
 
     This form avoids the round-off of K in the difference of nearly equal frequencies. At speeds at
-    which the order of modes changes, the shapes with the number k are different. The difference of
-    frequencies is then not small and is computed directly.
+    which the order of modes changes, the forward and the backward shape with the same number k
+    belong to different pairs. The difference of their frequencies is then not small and is computed
+    directly.
     """
     f, b = (
         v.shapes / np.sqrt((v.shapes * (M @ v.shapes)).sum(axis=0)) for v in (forward, backward)

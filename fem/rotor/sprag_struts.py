@@ -39,7 +39,7 @@ class SpragStruts:
 
     @property
     def law(self) -> float:
-        """Ratio of the force of a sprag to its deflection^(10/9) [N/m^(10/9)].
+        """Normal force of a sprag divided by (total deflection)^(10/9) [N/m^(10/9)].
 
         Palmgren's deflection of one contact is 3.84e-5 N^0.9/l^0.8 in newtons and millimetres.
 
@@ -53,12 +53,12 @@ class SpragStruts:
 
     @property
     def yields(self) -> float:
-        """Deflection [m] of the contacts of each sprag under T alone."""
+        """Total deflection [m] of both contacts of each sprag under T alone."""
         force = self.T / self.Z / self.R_i / math.tan(self.nu)
         return float((force / self.law) ** (1 / POWER))
 
     def slices(self, psi: Array, count: int) -> tuple[Array, Array]:
-        """Angles [rad] and axial positions [m] of the slices of all sprags, at the angles psi (Z,).
+        """Angles [rad] and axial positions [m] of the slices of sprags at the angles psi (Z,).
 
         Each sprag has `count` slices.
         """
@@ -139,5 +139,5 @@ class SpragStruts:
         return struts_kinds.Rolling(angle=angle + self.nu, z=z, lever=lever, reach=reach, s_0=s_0)
 
     def _power_law(self, k: float) -> struts.Law:
-        """Law of the shortening of struts whose contacts have the constant k at the angle nu."""
+        """Force law of struts, at the angle nu to the normal forces N = k deflection^(10/9)."""
         return struts.power_law(k / math.cos(self.nu) ** (POWER + 1), POWER)

@@ -7,8 +7,8 @@ Each strut transmits F(s). Its shortening s is a function of the positions of th
   contact point moves as the hub rotates. The cam is an involute: its normal has a constant distance
   from the axis of the hub, nearly as for a logarithmic spiral.
 
-With J and H, first and second derivatives of the shortenings, loads are :math:`\sum F J` and the
-tangent is :math:`\sum F' J J^T + F H`.
+J and H are the first and second derivatives of the shortenings. The loads are :math:`\sum F J`, and
+the tangent stiffness is :math:`\sum F' J J^T + F H`.
 """
 
 from collections.abc import Callable
@@ -71,7 +71,7 @@ class Joint:
         return np.asarray(self.law(state.s)[0] @ state.J)
 
     def tangent(self) -> Array:
-        """Exact, symmetric derivatives (6, 6) of the loads by displacement and rotation vector."""
+        """Tangent stiffness (6, 6): exact, symmetric derivatives of the loads."""
         state = self.struts.state(self.d, self.R)
         assert state.H is not None
         force, slope = self.law(state.s)

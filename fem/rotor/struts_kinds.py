@@ -1,4 +1,4 @@
-r"""Struts between two rigid hubs: exact shortenings and their derivatives by the hub positions.
+r"""Struts between two rigid hubs: exact shortenings as functions of the motion, and derivatives.
 
 The inner hub is at d with the rotation R; the outer hub is fixed. A strut acts along a unit vector
 e at a point y of the inner hub, measured from its centre. If d changes to d + u and R to exp(w) R,
@@ -17,7 +17,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class State:
-    """Shortenings (m,) of all struts, and first and second derivatives by the hub motion (u, w).
+    """Shortenings (m,) of all struts, and first and second derivatives with respect to (u, w).
 
     u is the displacement of the inner hub, w a rotation vector.
     """
@@ -69,7 +69,8 @@ class Rolling:
 
     The normals of the cams are at the distance `lever` [m] from the axis z of the hub. Faces have
     normals along `angle` (m,) [rad] in the x-y plane and act at the heights `z` (m,) [m]. In the
-    reference state, contact points are `reach` [m] along the normal, and the shortening is `s_0`.
+    reference state, the position of a contact point relative to the axis has the component `reach`
+    [m] along the normal, and the shortening is `s_0`.
     """
 
     angle: Array
@@ -124,7 +125,7 @@ def _gradient(e: Array, y: Array) -> Array:
 
 
 def _turned(e: Array, y: Array) -> Array:
-    """Second derivatives (m, 6, 6) of e . y by a rotation of y: e . w x (w x y)."""
+    """Second derivatives (m, 6, 6) of e . y with respect to a rotation w of y: e . w x (w x y)."""
     H = np.zeros((len(e), 6, 6))
     ey = e[:, :, None] * y[:, None, :]
     inner = np.einsum("mi,mi->m", e, y)

@@ -1,4 +1,4 @@
-"""Stiffness of equal links around a shaft with unequal loads and a common force law."""
+"""Stiffness of links around a shaft, which have the same force law but unequal loads."""
 
 import numpy as np
 
@@ -11,8 +11,9 @@ def uneven_links(
     """Stiffness K (6, 6) of Z links with the deformations delta_0 (1 + offset cos psi).
 
     K = sum k_j J J^T over links and slices with J = (cos, sin, 0, -x sin, x cos, lever), and k_j =
-    k (1 + offset cos psi)^(exponent - 1). Z k/2 is the stiffness `across` [N/m] of equally loaded
-    links. `L` is the length of the links [m], `lever` the deformation per angle of twist [m].
+    k (1 + offset cos psi)^(exponent - 1) for a slice at the angle psi and the axial position x. The
+    lateral stiffness of equally loaded links is `across` = Z `slices` k/2 [N/m]. `L` is the length
+    of the links [m], `lever` the deformation per angle of twist [m].
 
     >>> K = uneven_links(Z=4, slices=2, L=1.0, lever=0.5, across=2.0, exponent=1.1, offset=0.0)
     >>> K.diagonal().round(12).tolist()

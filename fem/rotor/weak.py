@@ -7,9 +7,9 @@ In the complex coordinate r = x + i y, with the slope p = dr/dz minus the shear 
     Euler        a = int EI r'' s'',  m = int rho A r s,  Rayleigh adds rho I r' s' to m
                  and 2 rho I r' s' to g,                   Hermite's cubics
 
-The equation is K v + w W G v - w^2 M v = 0 at the speed W. Shear is integrated at two points per
-cell, where the derivative of a quadratic function equals a linear function. With more points,
-slender shafts lock.
+The equation is K v + w W G v - w^2 M v = 0 at the speed W. Shear is integrated at two Gauss
+points per cell, at which the linear function r' can equal the quadratic function p. With more
+points, slender shafts lock.
 """
 
 from collections.abc import Mapping
@@ -64,7 +64,7 @@ class WeakShaft:
     basis: Basis
 
     def deflection_at(self, z: float) -> int:
-        """Number of the unknown deflection r at the node `z`. Raises ValueError without a node."""
+        """Number of the unknown r at the node at `z` [m]. Raises ValueError if there is no node."""
         nodes = np.flatnonzero(np.isclose(self.basis.mesh.p[0], z, rtol=0, atol=1e-12))
         if nodes.size != 1:
             raise ValueError(f"the mesh has no node at z={z:g} m")
@@ -94,7 +94,7 @@ class WeakShaft:
     def splitting(self, speed: float, *, held: ArrayLike = (), count: int = 3) -> Array:
         """Forward minus backward frequency (count,) [rad/s] of the lowest modes at `speed`.
 
-        The relative accuracy is that of a frequency, also for small differences. The arguments are
+        Small differences have the same relative accuracy as the frequencies. The arguments are
         those of :meth:`whirl`.
         """
         K, M, G = self._matrices(held)

@@ -79,7 +79,7 @@ def _vectors(load: Vector, at: Array, name: str) -> Array:
     if callable(load):
         value = np.moveaxis(value, 0, -1)
     if value.shape[-1:] != (3,):
-        raise ValueError(f"{name!r}: a load must have three components, got {value.shape}")
+        raise ValueError(f"{name!r}: a load must have three components, got shape {value.shape}")
     return np.broadcast_to(value, at.shape)
 
 

@@ -1,9 +1,9 @@
 """Nine-node quadrilateral on the unit square: shape functions, Gauss points, tying points.
 
 The nodes are corners, middles of the edges and centre, in the order of scikit-fem and gmsh. Strains
-of a displacement along one direction are evaluated at the two Gauss points of this direction, where
-the strains of thin shells can be zero, and at all three Gauss points of the other direction
-(MITC9).
+that contain derivatives along one direction only are evaluated at two Gauss points along this
+direction, where the strains of thin shells can be zero, and at three along the other direction.
+Strains with derivatives along both directions are evaluated at two along each (MITC9).
 
 References
 ----------

@@ -18,8 +18,8 @@ class ShellSolution:
     loads and of the supports (including ties); at free nodes, the reactions are round-off.
     `resultants` (cells, 9, 8) at the Gauss points are membrane forces [force/length], moments
     [force] and shear forces [force/length] in the directions of the unit `tangents` (cells, 9, 2,
-    3). `residual` is the energy of the solver's last correction relative to the total energy, which
-    is the square of a relative displacement.
+    3). `residual` is the energy of the solver's last correction relative to the total energy. This
+    ratio is the square of the relative correction of the displacements.
     """
 
     points: Array
@@ -39,9 +39,9 @@ class ShellSolution:
     def potential_energy(self) -> float:
         """Strain energy minus the work of the loads [force x length].
 
-        It is stationary at the solution: an error of u has a squared effect. Without prescribed
-        displacements, it is minus half the work of the loads; the compliance is then -2 x potential
-        energy / force^2.
+        It is stationary at the solution: its error is of second order in the error of u. Without
+        prescribed displacements, it is minus half the work of the loads; the compliance is then -2
+        x potential energy / force^2.
         """
         return (
             self.strain_energy

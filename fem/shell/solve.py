@@ -60,7 +60,8 @@ def solve_shell(
         (rotations about x, y, z). "xyzabc" is clamped; a mapping such as {"x": 1e-3} prescribes
         values.
     boundaries, bodies
-        Edges (k, 3), each with two ends and the middle, and cells, by name.
+        For each boundary name, the edges (k, 3): nodes at both ends and in the middle. For each
+        body name, the indices of its cells.
     ties
         For each boundary name, components that are equal at all its nodes: "x" for a rigid line
         that moves along x. If one of the nodes is supported, all of them are.
@@ -68,7 +69,7 @@ def solve_shell(
         For each boundary name, the force per length: three numbers, or f(x) of points (3, ...).
     pressures, surface_loads
         Pressure along the normals of the cells (right-handed about their corners), and force per
-        area; for all cells or by body.
+        area. Each is one value for all cells, or one value for each body.
     loads
         For each node, three forces and three couples.
 

@@ -57,7 +57,7 @@ class Frame:
         return cls(N, slopes, a, normal / np.maximum(area, 1e-300)[..., None], area)
 
     def along(self, alpha: int, c: Array) -> Array:
-        """Rows c·e_α (m, k, 54) for the vectors c (m, k, 3)."""
+        """Matrix rows (m, k, 54) that give c·e_α from the unknowns, for the vectors c (m, k, 3)."""
         B = np.empty((*c.shape[:2], NODES, 6))
         B[..., :3] = self.slopes[None, :, alpha, :, None] * c[:, :, None]
         turned = np.cross(c, self.a[:, :, alpha])  # c·(-θ x a) = θ·(c x a)
@@ -67,7 +67,7 @@ class Frame:
     def local(self) -> tuple[Array, Array]:
         """Unit tangents (m, k, 2, 3) at the points, and derivatives ∂ξ_α/∂s_i (m, k, 2, 2).
 
-        The first tangent is the projection of the mean tangent a_1 of the cell.
+        The first tangent has the direction of the cell's mean a_1, projected onto the surface.
         """
         cell = self.a[:, :, 0].mean(axis=1, keepdims=True)
         first = cell - np.sum(cell * self.n, axis=-1, keepdims=True) * self.n
@@ -107,9 +107,9 @@ def _check_folds(at: Frame) -> None:
 
 
 def _in_plane(corners: Array, s: Array, B: Array) -> Array:
-    """Membrane, shear and drilling strains from their tying points, written to `B`.
+    """Write membrane, shear and drilling strains, interpolated from tying points, to `B`.
 
-    Returns the tied ε_12. s[:, :, α, i] is the derivative of ξ_α along the unit tangent i.
+    Returns the interpolated ε_12. s[:, :, α, i] is the derivative of ξ_α along the unit tangent i.
     """
     first, second, both = (Frame.of(corners, X) for X in TYING)
     one, two, mixed = TO_POINTS
@@ -134,7 +134,7 @@ def _in_plane(corners: Array, s: Array, B: Array) -> Array:
 
 
 def _along_tangents(s: Array, e12: Array) -> Array:
-    """Strains ε11, ε22 and 2 ε12 (m, q, 3, 54) along unit tangents, from a covariant ε_12."""
+    """Contribution of a covariant ε_12 to ε11, ε22, 2 ε12 (m, q, 3, 54) along unit tangents."""
     return np.stack(
         [
             2 * s[:, :, 0, 0] * s[:, :, 1, 0] * e12,
@@ -146,7 +146,7 @@ def _along_tangents(s: Array, e12: Array) -> Array:
 
 
 def _keep_mean(B: Array, area: Array, s: Array, lost: Array) -> None:
-    """Add to the membrane strains the cell mean of the part of ε_12 that tying removed.
+    """Add the cell mean of the part of ε_12 that tying removed to the membrane strains in `B`.
 
     This mean is zero in parallelograms. All other flat cells pass the patch test only with it.
     """
@@ -155,7 +155,7 @@ def _keep_mean(B: Array, area: Array, s: Array, lost: Array) -> None:
 
 
 def _curvatures(at: Frame, e: Array, slope: Array, B: Array) -> None:
-    """Curvatures due to the rotations alone: e_i·(θ' x n) = θ'·(n x e_i)."""
+    """Write the curvatures, which depend on θ only, to `B`: e_i·(θ' x n) = θ'·(n x e_i)."""
     along = np.einsum("kan,mkai->mkin", at.slopes, slope)[..., None]
     e1, e2 = e[:, :, 0, None], e[:, :, 1, None]
     B = B.reshape(*B.shape[:3], NODES, 6)[..., 3:]

@@ -63,7 +63,7 @@ def tied_unknowns(ties: Mapping[str, str], boundaries: Boundaries, count: int) -
 
 
 def reduced_numbers(held: Array, pairs: Indices) -> tuple[Indices, Array]:
-    """Number among the free unknowns, and prescribed value, of each unknown (6 nodes,).
+    """For each unknown (6 nodes,): its number among the free unknowns, and its prescribed value.
 
     The number is -1 for a supported unknown. If one of several tied unknowns is supported, all of
     them are.
@@ -109,7 +109,7 @@ def check_rigid_motions(points: Array, cells: Indices, held: Array, pairs: Indic
 
 
 def _rigid_modes(points: Array) -> Array:
-    """Displacements and rotations (nodes, 6, 6 modes) of rigid motions about the middle."""
+    """Displacements and rotations (nodes, 6, 6 modes) of rigid motions about the mean point."""
     at = points - points.mean(axis=0)
     at = at / max(np.ptp(at, axis=0).max(), 1e-300)
     modes = np.tile(np.eye(6), (len(at), 1, 1))

@@ -105,7 +105,7 @@ class Cells:
         return float(np.sum(density * self.dx)) / 2
 
     def internal_forces(self, u: Array) -> Array:
-        """Internal forces (unknowns,) of the stresses of `u`: a(u, v) for every v.
+        """Internal forces (unknowns,) of the stresses of `u`: a(u, v) for every shape function v.
 
         They are computed from the strains of each cell. The round-off of K times a large rigid
         motion is thereby avoided.
@@ -114,7 +114,7 @@ class Cells:
         return self.gathered(self.slope.swapaxes(1, 2) @ stress)
 
     def body_force(self, density: Array) -> Array:
-        """Forces (unknowns,) of `density` (m, points, 3) [force / length^3]."""
+        """Nodal forces (unknowns,) due to `density` (m, points, 3) [force / length^3]."""
         return self.gathered(self.N.T @ (density * self.dx[..., None]))
 
     def gathered(self, forces: Array) -> Array:

@@ -32,7 +32,7 @@ def moduli(mesh: Mesh3D, materials: Elastic | Mapping[str, Elastic]) -> tuple[Ar
 
 
 def traction_load(mesh: Mesh3D, cells: Cells, tractions: Mapping[str, Vector]) -> Array:
-    """Forces (unknowns,) of `tractions` [stress] on named boundaries."""
+    """Nodal forces (unknowns,) due to `tractions` [stress] on named boundaries."""
     f = np.zeros(3 * cells.count)
     for name, traction in tractions.items():
         for side in faces(mesh, named_facets(mesh, name)):
@@ -42,7 +42,7 @@ def traction_load(mesh: Mesh3D, cells: Cells, tractions: Mapping[str, Vector]) -
 
 
 def pressure_load(mesh: Mesh3D, cells: Cells, pressures: Mapping[str, Pressure]) -> Array:
-    """Forces (unknowns,) of `pressures` [stress], positive inwards, on named outer boundaries."""
+    """Nodal forces (unknowns,) due to inward `pressures` [stress] on named outer boundaries."""
     f = np.zeros(3 * cells.count)
     for name, pressure in pressures.items():
         facets = named_facets(mesh, name)
@@ -59,7 +59,7 @@ def pressure_load(mesh: Mesh3D, cells: Cells, pressures: Mapping[str, Pressure])
 
 
 def body_load(mesh: Mesh3D, cells: Cells, force: Vector | None) -> Array:
-    """Forces (unknowns,) of `force` [force / length^3] on all cells."""
+    """Nodal forces (unknowns,) due to `force` [force / length^3] on all cells."""
     if force is None:
         return np.zeros(3 * cells.count)
     x = cells.N @ mesh.doflocs.T[cells.nodes]
@@ -67,7 +67,7 @@ def body_load(mesh: Mesh3D, cells: Cells, force: Vector | None) -> Array:
 
 
 def node_load(mesh: Mesh3D, forces: Mapping[Place, tuple[float, float, float]]) -> Array:
-    """Forces (unknowns,) of `forces` [force], each divided equally between the nodes of a place."""
+    """Nodal forces (unknowns,): `forces` [force], divided equally between the nodes of a place."""
     f = np.zeros((mesh.doflocs.shape[1], 3))
     for place, force in forces.items():
         if np.shape(force) != (3,) or not np.all(np.isfinite(force)):
@@ -80,7 +80,7 @@ def node_load(mesh: Mesh3D, forces: Mapping[Place, tuple[float, float, float]]) 
 
 
 def _on_faces(cells: Cells, side: Faces, force: Array) -> Array:
-    """Forces (unknowns,) of `force` (faces, points, 3) at the points of `side`."""
+    """Nodal forces (unknowns,) due to `force` (faces, points, 3) at the points of `side`."""
     parts = side.N.T @ force
     return np.array([
         np.bincount(side.nodes.ravel(), parts[..., i].ravel(), cells.count) for i in range(3)

@@ -1,4 +1,4 @@
-"""Nested dissection of a mesh in space: order of elimination that gives small factors."""
+"""Nested dissection of a mesh in space: order of elimination that gives sparse factors."""
 
 import numpy as np
 from scipy.sparse import csr_array
@@ -11,10 +11,10 @@ from fem.solid.geometry import Array, Indices
 def nested_dissection(mesh: Mesh3D) -> Indices:
     """Position (nodes,) of every node in the order of elimination.
 
-    Cells are divided into halves with the fewest common faces. The halves are separated by planes
-    x, y, z = const, or by the distance, in cells, from a cell at an end, which follows a folded
-    strip. The halves are divided again, down to single cells. Nodes common to both halves follow
-    all nodes that belong to one half only.
+    Cells are sorted by x, by y, by z, or by their distance, counted in cells along the body, from a
+    cell at one end, and are divided into two halves. Of these four divisions, the one with the
+    fewest faces between the halves is used. The halves are divided again, down to single cells.
+    Nodes common to both halves follow all nodes that belong to one half only.
     """
     path, levels = _halves(mesh)
     nodes = np.asarray(mesh.dofs.element_dofs)
@@ -32,7 +32,7 @@ def nested_dissection(mesh: Mesh3D) -> Indices:
 
 
 def _halves(mesh: Mesh3D) -> tuple[Indices, int]:
-    """Path (cells,) of every cell through the halvings, one bit each, and number of halvings."""
+    """Halves (cells,) to which each cell belongs, one bit per division, and number of divisions."""
     cells = mesh.nelements
     left, right = mesh.f2t[:, mesh.f2t[1] >= 0]
     along = [*mesh.p[:, mesh.t].mean(axis=1), _distance(cells, left, right)]
@@ -57,9 +57,10 @@ def _halves(mesh: Mesh3D) -> tuple[Indices, int]:
 
 
 def _distance(cells: int, left: Indices, right: Indices) -> Array:
-    """Numbers (cells,) of faces between each cell and a cell at the far end of the body.
+    """Numbers (cells,) of faces on the shortest path from each cell to a cell at the far end.
 
-    The far end is the end that is most distant from cell 0. Cells of other bodies come last.
+    The far end is the end of the body that is most distant from cell 0. Cells of other bodies come
+    last.
     """
     links = csr_array((np.ones(left.size), (left, right)), (cells, cells))
 

@@ -27,7 +27,7 @@ def check_rigid_motions(mesh: Mesh3D, conditions: Conditions) -> None:
     def rows(dofs: Indices, k: Indices) -> Array:
         """Matrix (dofs, bodies x 6) of the unknowns `dofs` in unit rigid motions of the bodies.
 
-        `k` is the body of each unknown.
+        `k` is the index of the body of each unknown.
         """
         out = np.zeros((dofs.size, count, 6))
         out[np.arange(dofs.size), k] = motion[k, dofs // 3, dofs % 3]
@@ -57,7 +57,7 @@ def check_rigid_motions(mesh: Mesh3D, conditions: Conditions) -> None:
 
 
 def _motion(mesh: Mesh3D, own: Indices) -> Array:
-    """Displacements (nodes, 3, 6) of unit motions about the middle of the given nodes."""
+    """Displacements (nodes, 3, 6) of unit rigid motions about the mean of the nodes `own`."""
     at = mesh.doflocs[:, np.unique(own)]
     x = (mesh.doflocs - at.mean(axis=1)[:, None]) / np.ptp(at, axis=1).max()
     turns = [np.cross(axis, x.T) for axis in np.eye(3)]
@@ -66,7 +66,7 @@ def _motion(mesh: Mesh3D, own: Indices) -> Array:
 
 
 def _bodies(mesh: Mesh3D) -> tuple[int, Indices]:
-    """Number of bodies, and the body of every cell."""
+    """Number of bodies, and the index (cells,) of the body of each cell."""
     inner = mesh.f2t[:, mesh.f2t[1] >= 0]
     links = csr_array((np.ones(inner.shape[1]), tuple(inner)), (mesh.nelements, mesh.nelements))
     count, body = connected_components(links, directed=False)

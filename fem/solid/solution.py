@@ -23,11 +23,12 @@ class Stresses:
 
 @dataclass(frozen=True)
 class SolidSolution:
-    """Displacements `u` (unknowns,) of `mesh`, in balance with the loads.
+    """Displacements `u` (unknowns,) of `mesh`, in equilibrium with the loads.
 
     `internal` (unknowns,) are the forces of the stresses, `f` the forces of the loads; their
     difference is the reaction of the supports. `residual` is the energy of the solver's last
-    correction relative to the total energy, which is the square of a relative displacement.
+    correction relative to the total energy. This ratio is the square of the relative correction of
+    the displacements.
     """
 
     mesh: Mesh3D
@@ -40,7 +41,7 @@ class SolidSolution:
 
     @cached_property
     def strain_energy(self) -> float:
-        """Half the integral of stress times strain [force x length], from the strains."""
+        """Half the integral of stress times strain [force x length], computed cell by cell."""
         return self.cells.strain_energy(self.u)
 
     @property
@@ -64,8 +65,8 @@ class SolidSolution:
     def reaction(self, place: Place) -> tuple[Array, Array]:
         """Force (3,) and moment (3,) about the origin that the conditions of `place` exert.
 
-        Supports that fix the same node carry equal shares. Nodes with equal displacements exert
-        forces on each other, whose sum is zero.
+        If several supports fix the same node, each carries an equal share. The forces that keep
+        displacements `uniform` have the sum zero.
         """
         nodes_at(self.mesh, place)  # an unknown place is an error, not a zero
         forces = self.conditions.forces(self.internal - self.f, place).reshape(-1, 3)

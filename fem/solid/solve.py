@@ -49,10 +49,11 @@ def solve_solid(
     mesh
         Hexahedra of scikit-fem with 8 or 27 nodes; displacements have the degree of the mesh.
     materials
-        One material, or a material for each body named in `mesh.subdomains`, for every cell. The
-        elements use displacements only and lock if nearly incompressible. Example: a thick sphere
-        with four cells through its wall. The root mean square error of the radial stress is 4 % of
-        the pressure (27 nodes) or 37 % (8 nodes) at nu = 0.45, and 19 % or 156 % at nu = 0.49.
+        One material for all cells, or one material for each body named in `mesh.subdomains`. The
+        unknowns are displacements only, so that nearly incompressible cells lock. Example: a thick
+        sphere with four cells through its wall. The root mean square error of the radial stress is
+        4 % of the pressure (27 nodes) or 37 % (8 nodes) at nu = 0.45, and 19 % or 156 % at nu =
+        0.49.
     supports
         For each place, the components: "xyz", or a mapping such as {"x": 1e-3} or {"x": f}, where f
         takes points (3, m) and returns values (m,) [length]. A place is the name of a boundary, or
@@ -60,17 +61,18 @@ def solve_solid(
     uniform
         For each place, components with equal, unknown values at all its nodes: a rigid guide.
     tractions
-        For each boundary name, the traction [stress]: three numbers, or f(x) of shape (3, ...).
+        For each boundary name, the traction [stress]: three numbers, or f(x) of points (3, ...).
     pressures
         For each boundary name, the pressure, positive inwards [stress]: a number or f(x).
     forces
         For each place, the total force [force], divided equally between its nodes. It is intended
         for single nodes and for places with uniform displacement.
     body_force
-        Force per volume: three numbers, or f(x) of shape (3, ...).
+        Force per volume: three numbers, or f(x) of points (3, ...).
     points
-        Gauss points along each reference direction of a cell. The default is 3 (27 nodes) or 2. (2,
-        3, 3) prevents shear locking of cells that are long in the first direction.
+        Number of Gauss points along each reference direction of a cell. The default is 3 for 27
+        nodes, and 2 for 8 nodes. The value (2, 3, 3) prevents shear locking of cells that are long
+        in the first direction.
 
     Raises
     ------

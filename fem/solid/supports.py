@@ -55,7 +55,7 @@ class Conditions:
 def collect(
     mesh: Mesh3D, supports: Mapping[Place, Support], uniform: Mapping[Place, str]
 ) -> Conditions:
-    """All conditions. Raises ValueError if conditions contradict each other or are redundant."""
+    """Conditions of all places. Raises ValueError if two conditions of a node are incompatible."""
     parts = []
     for k, (place, support) in enumerate(supports.items()):
         nodes = nodes_at(mesh, place)
@@ -84,7 +84,7 @@ def collect(
 def free_directions(conditions: Conditions, place: Indices) -> tuple[csr_array, Array]:
     """Matrix T (unknowns, free) of zeros and ones, and u0 (unknowns,), of u = T q + u0.
 
-    The free unknowns have the order of their nodes in `place` (nodes,); common unknowns are last.
+    The free unknowns have the order of their nodes in `place` (nodes,); those of groups are last.
     """
     count = 3 * place.size
     u0 = np.zeros(count)
@@ -109,7 +109,7 @@ def _components(place: Place, support: Support) -> Iterator[tuple[int, Prescribe
 
 
 def _check(mesh: Mesh3D, found: Conditions) -> None:
-    """Raise ValueError if an unknown has two values, or belongs to two groups, or both."""
+    """Raise ValueError if an unknown has two values, two groups, or a value and a group."""
     count = 3 * mesh.doflocs.shape[1]
     low, high = np.full(count, np.inf), np.full(count, -np.inf)
     np.minimum.at(low, found.dofs, found.value)

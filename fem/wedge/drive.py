@@ -1,8 +1,8 @@
 """Axial load at which a wedged roller slips, from states with the ring displaced along z.
 
-The limit is obtained from solved states only. First, displacements of the rim of the ring follow
-the path of the axial load. Then the rim is displaced further until no loaded node of a contact
-sticks and the resultant of its friction is mu N, the maximum for this N and F_t.
+The limit is obtained from solved states only. First, the rim of the ring is displaced until the
+axial load has the values of a given path, one after another. Then the rim is displaced further,
+until no loaded node of one contact sticks and the resultant friction of this contact is mu N.
 """
 
 from collections.abc import Sequence
@@ -42,8 +42,7 @@ class Driven:
 class Drive:
     """Clutch under its torque, with the rim of the ring displaced along z.
 
-    The roller remains in its position: if it creeps because of friction, the ring continues to
-    rotate.
+    The roller remains in its position: rotation of the ring compensates the creep of the roller.
     """
 
     one: Pulled
@@ -86,7 +85,7 @@ class Drive:
         return Driven(creeping(self.there, first, axial_displacements=rim), u)
 
     def load(self, at: Driven) -> tuple[float, float]:
-        """Axial load [N] of the whole clutch at slip, reached from the state `at`, and uncertainty.
+        """Axial load [N] of the whole clutch at slip, reached from the state `at`; its uncertainty.
 
         It applies to the given torque, and to the clamping angle of the clutch under this torque.
         """
@@ -97,7 +96,7 @@ class Drive:
         return lever * own * one.T / R, (doubt + missed * lever) * own * one.T / R
 
     def lever(self, at: Driven) -> tuple[float, float]:
-        """Ratio F_ax R/T at slip, reached from the state `at`; its uncertainty by the step size."""
+        """Ratio F_ax R/T at slip, reached from the state `at`, and its uncertainty."""
         (coarse, _), (fine, left) = (self._slip(at, step) for step in (2 * STEP, STEP))
         return fine, HALVINGS * abs(fine - coarse) + (left + self._steep * EDGES) * fine
 

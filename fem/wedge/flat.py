@@ -111,14 +111,17 @@ class State(Touching):
 
     @property
     def on_flat(self) -> tuple[float, float]:
-        """Components of the force on the cam: into the flat; along the flat, out of the wedge."""
+        """Components of the force on the cam, normal to the flat and along the flat.
+
+        The first is positive into the flat, the second is positive out of the wedge.
+        """
         x, y = (self.start.q.sense * f for f in self.solution.touches[self._flat].force)
         c, s = math.cos(self.tilt), math.sin(self.tilt)
         return -s * x - c * y, -c * x + s * y
 
     @property
     def on_race(self) -> tuple[float, float]:
-        """Components of the force on the race: along the ray through the roller; normal to the ray.
+        """Components of the force on the race, along the ray through the roller and normal to it.
 
         The second component is positive out of the wedge.
         """

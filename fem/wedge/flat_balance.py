@@ -15,12 +15,12 @@ Array = NDArray[np.float64]
 
 
 def balance(course: FlatCourse, T: float) -> dict[str, float]:
-    """Residuals of statics, of rolling, and of the solver under the torque `T` [N m].
+    """Relative residuals of statics, of rolling, and of the solver under the torque `T` [N m].
 
-    They are ratios minus 1: F_t/N to tan(psi/2) at flat and race; torque of the forces on race and
-    cam to T; wind-up by rolling to wind-up by energy; forces of one contact to those of the other.
-    "forces" is the unbalanced force on the roller in the most heavily loaded state, relative to a
-    contact force.
+    Most values are relative differences: of F_t/N from tan(psi/2) at flat and race, of the torques
+    on race and cam from `T`, and of the wind-up by rolling from the wind-up by energy. "unlike_N"
+    and "unlike_F_t" compare N and F_t at the race with N and F_t at the flat. "forces" is the
+    unbalanced force on the roller in the most heavily loaded state, divided by a contact force.
     """
     q, place = course.q, course.place(T)
     tan, torque = math.tan(place.psi / 2), np.array([T])
@@ -42,7 +42,7 @@ def balance(course: FlatCourse, T: float) -> dict[str, float]:
 
 
 def over_hertz(touch: "Touch", at: Array) -> Array:
-    """Pressure at the distances `at` x half-width from the centre, over Hertz's peak pressure.
+    """Pressure divided by Hertz's peak pressure, at distances of `at` half-widths from the centre.
 
     The half-width is calculated from the moments of the pressure.
     """

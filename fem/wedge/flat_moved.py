@@ -15,7 +15,8 @@ def angle_with_flats(
 ) -> float:
     """Clamping angle [rad] under the torque T [N m] with flats at `flat` [m] from the axis.
 
-    `start` is the position of the pitch `q` under this torque, with rollers of length `L` [m].
+    `start` is the approximate state of the pitch `q` under this torque. `L` [m] is the length of
+    the rollers.
     """
     other = replace(q, flat=flat)
     steeper = [math.tan(Place.overlapping(one, *start.d).psi / 2) for one in (other, q)]

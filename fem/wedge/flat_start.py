@@ -35,7 +35,7 @@ class Start:
         return cls(d, (math.sqrt(q.r * d[0] / flatter), math.sqrt(q.r * d[1] / 3)), (0.0, 0.0))
 
     def scaled(self, share: float) -> "Start":
-        """Approximate state with overlaps multiplied by `share`."""
+        """Approximate state: overlaps and drags times `share`, widths times its square root."""
         root = math.sqrt(share)
         return Start(
             (share * self.d[0], share * self.d[1]),
@@ -51,7 +51,7 @@ class Start:
 
 
 def after(state: State) -> Start:
-    """Approximate state: initial total overlap, divided between the contacts as in `state`."""
+    """Approximate state: the total overlap of `state.start`, divided as in equilibrium."""
     start, rest = state.start, state.place
     share = (start.d_i + start.d_o) / (rest.d_i + rest.d_o)
     return Start((share * rest.d_i, share * rest.d_o), state.widths, state.drags)
@@ -78,9 +78,9 @@ def loaded(
 ) -> Start:
     """Approximate state, on coarse meshes, whose load differs from its target by at most `near`.
 
-    The search begins with `now`. `share` is the ratio of target to load of a state; overlaps are
-    proportional to its `power`. Raises NotFoundError if the steps do not converge; the message
-    contains `what`.
+    The search begins with `now`. `share` is the ratio of the target to the load of a state. Each
+    step multiplies the overlaps by this ratio to the power `power`. Raises NotFoundError if the
+    steps do not converge; the message contains `what`.
     """
     for _ in range(MOST):
         state = now.state(q, COARSE)

@@ -27,7 +27,7 @@ class FreewheelState:
     and `axial_load` [N] of the clutch are calculated from the solution. `alpha` [rad] is the
     clamping angle, half of the angle between flat and ring. Values for one roller: normal forces
     `N` [N], `approaches` [m], half-widths `widths` [m], largest `pressures` [Pa], and
-    `required_friction` [1] (resultant friction over N). `slides` is True if a contact slides.
+    `required_friction` [1] (resultant friction divided by N). `slides` is True if a contact slides.
     `solution` contains displacements and stresses of one pitch per unit length.
     """
 

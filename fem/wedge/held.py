@@ -1,6 +1,6 @@
 """Wedged rollers under constant torque and successive axial loads, with the history of friction.
 
-The roller remains in its position: if it creeps because of friction, the ring continues to rotate.
+The roller remains in its position: rotation of the ring compensates the creep of the roller.
 """
 
 from collections.abc import Sequence
@@ -23,7 +23,7 @@ CORRECTIONS = 2  # of a place under another torque
 class Held:
     """Clutch under its torque and successive axial forces.
 
-    Axial forces are given relative to `unit`, the largest that friction permits besides F_t.
+    Axial forces are given relative to `unit`, the largest that friction permits in addition to F_t.
     """
 
     one: Pulled
@@ -76,8 +76,9 @@ class Held:
     def rows(self, shares: Sequence[float], states: Sequence[State]) -> Array:
         """Axial load and contact loads of each state (m, 9).
 
-        The columns are the share of the axial load, F_t/N and F_z/N of cam and ring, N and T
-        relative to the values at rest, the share of N at slipping nodes, and the largest u_z [m].
+        The columns are the axial load divided by `unit`; F_t/N of cam and ring; F_z/N of cam and
+        ring; N and T, both relative to the values at rest; the share of N at slipping nodes; and
+        the largest absolute u_z [m].
         """
         N, found = Borne.by(self.rest).N.mean(), []
         for share, state in zip(shares, states, strict=True):

@@ -170,10 +170,10 @@ def yielding(one: Pulled, there: Sector, stuck: State) -> float:
 def creeping(there: Sector, state: State, ahead: float = 0.0, **along: Any) -> State:
     """State after `state`, with the creep of the roller compensated by rotation of the ring.
 
-    The roller therefore remains in its position, and N is constant. If the rotation of the ring is
-    known, the ring is first rotated by `ahead` [m]; then nodes that slip also slip in the last
-    solution. Raises NotFoundError if the roller does not come to rest, or if a solution finds no
-    equilibrium.
+    The roller therefore remains in its position, and N is constant. In the first solution, the ring
+    is rotated by `ahead` [m]. If this is the necessary rotation, nodes that slip also slip in the
+    last solution. Raises NotFoundError if the roller does not come to rest, or if a solution finds
+    no equilibrium.
     """
     size = state.start.d_i + state.start.d_o
 

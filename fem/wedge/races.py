@@ -2,8 +2,8 @@
 
 The strut touches the inner race with a spiral and the outer race with an arc; only these contacts
 hold it. The races can expand like rings: only the mean rotations of the bore of the inner race and
-of the rim of the outer race are prescribed. All bodies are meshed in the compressed state, and the
-resulting overlaps are subtracted from the gaps.
+of the rim of the outer race are prescribed. All bodies are meshed in the compressed state. The
+overlaps of the undeformed outlines that the mesh does not contain are subtracted from the gaps.
 """
 
 import math
@@ -103,7 +103,7 @@ class State(Touching, Generic[P]):
         return float(aside - turn * (self.start.D - y)), float(outwards - turn * x), turn
 
     def unrest(self) -> Unrest:
-        """Displacement of the strut at its contacts, total overlap, and drags of the races."""
+        """Displacement of the strut at its contacts, total overlap, and corrected drags."""
         aside, _, turn = self.motion
         below, above = (aside + turn * (self.start.D - y) for y in self.start.touched)
         drags = self.drags[0] + below, self.drags[1] + above
@@ -111,7 +111,7 @@ class State(Touching, Generic[P]):
 
     @cached_property
     def place(self) -> P:
-        """Position of the strut, with the shares of the races in the overlaps of both contacts."""
+        """Equilibrium position of the strut, with the shares of the races in both overlaps."""
         opened = (
             float(touch.mortar.points.gap @ _shares(touch)) for touch in self.solution.touches
         )

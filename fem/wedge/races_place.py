@@ -9,10 +9,11 @@ if TYPE_CHECKING:
 class Place(Protocol):
     """Position and outline of a strut, whose pole is at the distance `D` [m] from the axis.
 
-    `overlaps` are those of the undeformed outlines at both contacts, and H is their sum. `bends` is
-    the part of the overlaps that is included in the mesh. `OA` and `OB` are the radii at which
-    forces act. `spiral` contains pole, first radius, its direction and growth; `arc` contains
-    centre and radius. Motion is evaluated at `core`.
+    `overlaps` are the overlaps of the undeformed outlines with both races, and H is their sum.
+    `bends` is the part of the overlaps that is included in the mesh. `OA` and `OB` are the radii at
+    which forces act. `spiral` contains the pole, the first radius, the direction of this radius,
+    and the growth. `arc` contains the centre and the radius. The motion of the strut is evaluated
+    at the point `core`.
     """
 
     @property

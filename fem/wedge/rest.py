@@ -2,8 +2,8 @@
 
 Adjacent surfaces are rotated until the body is at rest in this position.
 
-For small displacements, forces act at the positions of the mesh. If a body moved or rotated from
-there until friction stopped it, its forces would act beside its contacts.
+In the theory of small displacements, forces act at the positions of the nodes in the mesh. If a
+body moved or rotated until friction stopped it, these positions would differ from its contacts.
 """
 
 from collections.abc import Callable

@@ -24,9 +24,9 @@ def under_load(one: Pulled, start: Start, cells: int) -> tuple[State, State]:
 def driven(there: Sector, stuck: State, displacements: Sequence[float]) -> Array:
     """States with the ring displaced to `displacements` [m] along z at constant N, as rows (m, 8).
 
-    The columns are u_z [m], displacement [m] of the bore of the ring into the wedge, F_t/N and
-    F_z/N of both contacts along the normals of the mesh, and N of the ring and T relative to the
-    values at rest.
+    The columns are u_z [m] of the ring; the displacement [m] of its bore into the wedge; F_t/N of
+    both contacts and F_z/N of both contacts, along the normals of the mesh; and N at the ring and
+    T, both relative to the state `stuck`.
     """
     path, state = [_row(stuck, stuck, 0.0)], stuck
     for u in displacements:

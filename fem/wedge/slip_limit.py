@@ -62,7 +62,7 @@ class Limit:
         return self._bisected(lambda k: self.sticks(k * self.tan), 1 - BELOW, 1 + ABOVE, steps)
 
     def of_load(self) -> Array:
-        """Ratio of the smallest mu that holds the axial load to mu by Eq. 8, and uncertainty, (2,).
+        """Smallest mu that holds the axial load, divided by mu by Eq. 8, and uncertainty, (2,).
 
         The clutch is under its torque.
         """
@@ -77,10 +77,10 @@ class Limit:
         return np.array([found, doubt + abs(found - second)])
 
     def _corrected(self, k: float) -> tuple[float, float]:
-        """Friction over Eq. 8 at which the load is the limit, and its uncertainty.
+        """Smallest mu that holds the axial load, divided by `full`, and its uncertainty.
 
-        It is corrected from slip with the friction k. If all nodes slip, mu is F_t/N times sqrt(1 +
-        (F_ax R/T)²), and F_t/N hardly changes.
+        It is calculated from the state of slip with the friction coefficient k x `full`. If all
+        nodes slip, mu is F_t/N times sqrt(1 + (F_ax R/T)²), and F_t/N hardly changes.
         """
         lever, doubt = self._lever(k * self.full)
         found = k * math.hypot(1.0, self.asked) / math.hypot(1.0, lever)
@@ -135,11 +135,11 @@ def over_angles(
 
     The overlaps of the contacts are equal in all clutches. The result has one row (m, 7) per
     clutch. `built` generates the pitch with flats at X [m]; it raises ValueError if such a pitch is
-    impossible, and the row is omitted. Rows contain tan(alpha)/mu, the remaining share of `N`
+    impossible, and the row is omitted. Rows contain tan(alpha)/mu, the normal force divided by `N`
     [N/m], F_t/(mu N) (0 if the roller is released), and F_t/(mu N) and F_z/(mu N) of cam and ring
-    after the ring was driven along z until all contacts slip. At its angle, the clutch `stuck`
-    deflects by `unit` [m] along z before it slips. Angles and forces refer to the normals of the
-    mesh, because slip depends on them.
+    after the ring was driven along z until all contacts slip. `unit` [m] is the displacement of the
+    ring along z at the friction limit of `stuck`, calculated without slip. Angles and forces refer
+    to the normals of the mesh, because slip depends on them.
     """
     q, mu, (d_i, d_o) = one.q, one.mu, start.d
     own = math.tan(Place.overlapping(q, *start.d).psi / 2) / mu

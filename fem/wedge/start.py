@@ -20,7 +20,7 @@ STICKS = 5.0  # friction over tan(nu): well above what the strut needs
 
 
 class TurnedPlace(Place, Protocol):
-    """Position of a strut rotated by `alpha` [rad]; `strut` are the angles nu and omega [rad]."""
+    """Position of a strut rotated by `alpha` [rad]; `strut` is (nu, omega) [rad]."""
 
     @property
     def alpha(self) -> float: ...

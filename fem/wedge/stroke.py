@@ -15,7 +15,7 @@ Array = NDArray[np.float64]
 
 
 class Stroke(Course):
-    """States of z struts by normal force N [N] and total deflection H [m] of one strut.
+    """States of z struts, with normal force N [N] and total deflection H [m] of one strut.
 
     T [N m] is the total torque, `U` [J] the energy of one pitch. Splines over ln N interpolate
     between the states.
@@ -35,11 +35,11 @@ class Stroke(Course):
 
 
 def half_width(touch: "Touch") -> float:
-    """Half-width [m] of the elliptic pressure with the same mean distance from the centre.
+    """Half-width [m] of a contact, from the mean distance of its pressure from the centre.
 
-    The mean distance of the pressure of `touch` from the centre is weighted with the pressure. The
-    half-width from squared distances is twice as sensitive to the position of the contact edge in a
-    cell.
+    It is the half-width of the elliptic pressure that has the same mean distance, weighted with the
+    pressure. A half-width from squared distances would be twice as sensitive to the position of the
+    contact edge in a cell.
     """
     load = touch.p * touch.weight
     return float(3 * math.pi / 4 * (load @ np.abs(touch.along())) / load.sum())

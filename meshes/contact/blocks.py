@@ -95,7 +95,7 @@ def mesh_blocks(
     """Mesh of `blocks`, with the names of their edges and bodies.
 
     Cells are quadrilaterals, or triangles that halve them. `order` is 1 or 2; `straight` cells have
-    straight edges. Each boundary of `whole` consists of the existing boundaries among its parts.
+    straight edges. Each boundary named in `whole` combines those of its parts that exist.
     """
     whole = whole or {}
     with gmsh_session():
@@ -121,7 +121,7 @@ def mesh_blocks(
 
 
 def _named(mesh: Mesh2D, whole: Mapping[str, tuple[str, ...]]) -> Mesh2D:
-    """Mesh with each combined boundary of `whole` under its name."""
+    """Mesh with the combined boundaries of `whole` in addition to its boundaries."""
     own = mesh.boundaries
     found = {
         name: np.concatenate([own[part] for part in parts if part in own])

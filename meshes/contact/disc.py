@@ -1,4 +1,4 @@
-"""Discs in contact at the origin, up to the section through their centre."""
+"""Quarters and halves of discs, with the contact at the origin."""
 
 import math
 

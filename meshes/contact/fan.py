@@ -109,7 +109,7 @@ def strip_cells(beside: Edge, zone: Zone, *, length: float) -> int:
     """Number of equal cells over `length`, about as long as the last cell of the edge `beside`.
 
     No cell is longer than GROWTH times this last cell, whose length is about two fifths of the
-    thickness.
+    thickness of the fan.
     """
     last = last_cell(length=beside.length, cells=beside.cells // zone.refine, beta=beside.beta)
     return zone.refine * at_least(length / (GROWTH * last))

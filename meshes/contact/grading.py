@@ -30,8 +30,8 @@ def beta(*, length: float, first: float, cells: int) -> float:
 
     If equal cells are smaller than `first`, beta gives equal cells.
 
-    `first` is the size of the map at its fine end, the limit for refined meshes: the fine zone
-    continues there without a jump in cell size.
+    `first` is the cell size of the map at its fine end, without the growth within the first cell.
+    The cell size therefore has no jump at the border of the fine zone.
     """
 
     def excess(log: float) -> float:

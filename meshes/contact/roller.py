@@ -25,10 +25,10 @@ def half_roller(
     """Mesh of the half y >= 0 of the disc about the origin, fine at (-R, 0) and (R, 0).
 
     With `refine` 1, `cells` equal cells lie on the arc over 0 <= y <= zone [unit of R] at each end.
-    `zones` are those at (-R, 0), "near", and at (R, 0), "far". Cells are larger outside. `refine` 2
-    halves all cells, and so on. Boundaries: "near" (the arc in x <= 0), "far" (the arc in x >= 0)
-    and "cut" (y = 0). Body: "roller". `order` is 1 or 2; `straight` cells have straight edges.
-    Raises ValueError unless 0 < zone <= R/2 at both ends.
+    `zones` are the values of zone at (-R, 0), "near", and at (R, 0), "far". Cells are larger
+    outside. `refine` 2 halves all cells, and so on. Boundaries: "near" (the arc in x <= 0), "far"
+    (the arc in x >= 0) and "cut" (y = 0). Body: "roller". `order` is 1 or 2; `straight` cells have
+    straight edges. Raises ValueError unless 0 < zone <= R/2 at both ends.
     """
     for zone in zones:
         if not 0 < zone <= R / 2 < math.inf:

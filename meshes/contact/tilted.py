@@ -1,4 +1,4 @@
-"""Half a disc with a contact at an angle from its crown, and bodies rotated to the contact."""
+"""Half a disc with a contact at an angle from +y, and rotation of meshes to this contact."""
 
 import math
 from dataclasses import replace

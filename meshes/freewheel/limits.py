@@ -49,7 +49,7 @@ def check_roller(r: float, centre: Point, z: int, *, flat: float, circle: float)
 
 
 def check_zones(r: float, cam: FlatRace, race: RoundRace, *, flat: float, circle: float) -> None:
-    """Raise ValueError unless the half-widths `flat` and `circle` [m] of zones fit the bodies."""
+    """Raise ValueError unless fine zones of half-widths `flat` and `circle` [m] fit the bodies."""
     room = (cam.half_flat - abs(cam.at)) / ROOM
     if not room > 0:
         raise ValueError(

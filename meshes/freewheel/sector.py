@@ -96,10 +96,11 @@ def outer_cam_sector(
     """Mesh of a shaft of radius `R_s`, a roller about `centre`, and a cup with the flat y = `X_o`.
 
     The roller has the radius `r`, the shaft the bore radius `r_b`, the cup `z` inner flats and the
-    outer radius `R_a`. The `zones` are those at the contacts of the shaft and of the cup. Bodies:
-    "shaft", "roller" and "cup". Boundaries: "shaft.rim", "shaft.bore", "cup.flat", "cup.rim", and
-    the sections "left" and "right" of shaft and cup; "roller.inner" is at the contact of the shaft,
-    "roller.outer" at the contact of the cup. For all other properties, see `inner_cam_sector`.
+    outer radius `R_a`. The `zones` are the half-widths of the fine zones at the contacts of the
+    shaft and of the cup. Bodies: "shaft", "roller" and "cup". Boundaries: "shaft.rim",
+    "shaft.bore", "cup.flat", "cup.rim", and the sections "left" and "right" of shaft and cup;
+    "roller.inner" is at the contact of the shaft, "roller.outer" at the contact of the cup. For all
+    other properties, see `inner_cam_sector`.
     """
     check_radii("r_b < R_s < X_o < R_a cos(pi/z)", (r_b, R_s, X_o, R_a * math.cos(math.pi / z)), z)
     pitch, psi = 2 * math.pi / z, math.atan2(*centre)
