@@ -27,7 +27,7 @@ def to_vtu(solution: Any, path: str | Path, *, elements: Any = None, rotor: Any 
     - frames: `displacement` and `rotation` [rad] at the nodes. The argument `elements` (m, 2 or 3)
       is required; the ends of an element are connected by a line
     - modes of a rotor: the numbered nodes, on the z-axis. For mode k = 1, 2, ..., `mode_k_real` and
-      `mode_k_imaginary` are the parts of the displacement. The argument `rotor` is required
+      `mode_k_imaginary` are the two parts of the displacement. The argument `rotor` is required
 
     Raises ImportError without meshio, which `freewheel-verification[fem]` installs; TypeError for a
     solution of another kind; ValueError for a frame without elements, and for modes without their

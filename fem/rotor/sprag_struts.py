@@ -139,5 +139,5 @@ class SpragStruts:
         return struts_kinds.Rolling(angle=angle + self.nu, z=z, lever=lever, reach=reach, s_0=s_0)
 
     def _power_law(self, k: float) -> struts.Law:
-        """Force law of struts, at the angle nu to the normal forces N = k deflection^(10/9)."""
+        """Force law of struts that are inclined by nu to normal forces N = k deflection^(10/9)."""
         return struts.power_law(k / math.cos(self.nu) ** (POWER + 1), POWER)

@@ -44,7 +44,7 @@ def stepped_weak(
 
 
 def stations(L: float, inner: tuple[float, ...]) -> list[float]:
-    """Rising axial positions: both ends of a shaft and the `inner` positions, without duplicates.
+    """Ascending axial positions: ends of a shaft and `inner` positions, without duplicates.
 
     >>> stations(4.0, (3.0, 1.0, 1.0 + 1e-12))
     [0.0, 1.0, 3.0, 4.0]

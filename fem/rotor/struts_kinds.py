@@ -1,4 +1,4 @@
-r"""Struts between two rigid hubs: exact shortenings as functions of the motion, and derivatives.
+r"""Struts between two rigid hubs: exact shortenings and derivatives as functions of the motion.
 
 The inner hub is at d with the rotation R; the outer hub is fixed. A strut acts along a unit vector
 e at a point y of the inner hub, measured from its centre. If d changes to d + u and R to exp(w) R,

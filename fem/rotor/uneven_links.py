@@ -1,4 +1,4 @@
-"""Stiffness of links around a shaft, which have the same force law but unequal loads."""
+"""Stiffness of links around a shaft; all links have the same force law, but unequal loads."""
 
 import numpy as np
 

@@ -64,7 +64,7 @@ class WeakShaft:
     basis: Basis
 
     def deflection_at(self, z: float) -> int:
-        """Number of the unknown r at the node at `z` [m]. Raises ValueError if there is no node."""
+        """Index of the unknown r at the node at `z` [m]. Raises ValueError if there is no node."""
         nodes = np.flatnonzero(np.isclose(self.basis.mesh.p[0], z, rtol=0, atol=1e-12))
         if nodes.size != 1:
             raise ValueError(f"the mesh has no node at z={z:g} m")

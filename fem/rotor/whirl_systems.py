@@ -1,4 +1,4 @@
-"""Many undamped rotors with one layout, in the complex coordinate of forward whirl.
+"""Many undamped rotors with the same layout, in the complex coordinate of forward whirl.
 
 Node n, from 0, has the unknowns (r, phi) at 2n and 2n + 1. Critical speeds Omega satisfy K v =
 Omega^2 (M - G_1) v. For the elements, see `fem.rotor.elements`. Matrices are dense (m, 2 nodes, 2

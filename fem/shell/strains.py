@@ -184,5 +184,5 @@ def moduli(E: Array, nu: Array, thickness: Array, area: Array) -> Array:
 
 
 def unknowns(cells: Indices) -> Indices:
-    """Numbers (m, 54) of the unknowns of the cells, six per node."""
+    """Indices (m, 54) of the unknowns of the cells, six per node."""
     return (6 * cells[:, :, None] + np.arange(6)).reshape(len(cells), UNKNOWNS)

@@ -63,9 +63,9 @@ def tied_unknowns(ties: Mapping[str, str], boundaries: Boundaries, count: int) -
 
 
 def reduced_numbers(held: Array, pairs: Indices) -> tuple[Indices, Array]:
-    """For each unknown (6 nodes,): its number among the free unknowns, and its prescribed value.
+    """For each unknown (6 nodes,): its index among the free unknowns, and its prescribed value.
 
-    The number is -1 for a supported unknown. If one of several tied unknowns is supported, all of
+    The index is -1 for a supported unknown. If one of several tied unknowns is supported, all of
     them are.
     """
     graph = coo_array((np.ones(pairs.shape[1]), tuple(pairs)), shape=(held.size, held.size))

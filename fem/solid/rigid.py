@@ -15,8 +15,8 @@ FREE = 1e-9  # singular value, relative: a motion that strains no support
 def check_rigid_motions(mesh: Mesh3D, conditions: Conditions) -> None:
     """Raise ValueError if the conditions permit a rigid motion of a body.
 
-    A body is a set of cells connected by faces. Bodies with only a common node have equal
-    displacements at this node.
+    A body is a set of cells connected by faces. Bodies that are connected by nodes only have
+    equal displacements at these nodes.
     """
     nodes = np.asarray(mesh.dofs.element_dofs)
     count, body = _bodies(mesh)

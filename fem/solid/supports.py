@@ -84,7 +84,8 @@ def collect(
 def free_directions(conditions: Conditions, place: Indices) -> tuple[csr_array, Array]:
     """Matrix T (unknowns, free) of zeros and ones, and u0 (unknowns,), of u = T q + u0.
 
-    The free unknowns have the order of their nodes in `place` (nodes,); those of groups are last.
+    The order of the free unknowns is that of their nodes in `place` (nodes,). The unknowns that are
+    common to a group are last.
     """
     count = 3 * place.size
     u0 = np.zeros(count)

@@ -1,8 +1,8 @@
 """Axial load at which a wedged roller slips, from states with the ring displaced along z.
 
-The limit is obtained from solved states only. First, the rim of the ring is displaced until the
-axial load has the values of a given path, one after another. Then the rim is displaced further,
-until no loaded node of one contact sticks and the resultant friction of this contact is mu N.
+The limit is obtained from solved states only. First, the rim of the ring is displaced so that
+the axial load follows a given path. Then the rim is displaced further, until no loaded node of one
+contact sticks and the resultant friction of this contact is mu N.
 """
 
 from collections.abc import Sequence
@@ -85,7 +85,7 @@ class Drive:
         return Driven(creeping(self.there, first, axial_displacements=rim), u)
 
     def load(self, at: Driven) -> tuple[float, float]:
-        """Axial load [N] of the whole clutch at slip, reached from the state `at`; its uncertainty.
+        """Axial load [N] of the whole clutch at slip from the state `at`, and its uncertainty.
 
         It applies to the given torque, and to the clamping angle of the clutch under this torque.
         """
@@ -96,7 +96,7 @@ class Drive:
         return lever * own * one.T / R, (doubt + missed * lever) * own * one.T / R
 
     def lever(self, at: Driven) -> tuple[float, float]:
-        """Ratio F_ax R/T at slip, reached from the state `at`, and its uncertainty."""
+        """Ratio F_ax R/T at slip from the state `at`, and its uncertainty."""
         (coarse, _), (fine, left) = (self._slip(at, step) for step in (2 * STEP, STEP))
         return fine, HALVINGS * abs(fine - coarse) + (left + self._steep * EDGES) * fine
 

@@ -56,9 +56,10 @@ class Pitch:
         return math.acos((self.flat + self.sense * self.r) / (self.race - self.sense * self.r))
 
     def arc(self, psi: Array, to_race: Array) -> Array:
-        """Arc [m] of the roller's centre about the axis, relative to the cam, from zero load.
+        """Length [m] of the arc of the roller's centre about the axis, relative to the cam.
 
-        `psi` [rad] is the angle of the roller, `to_race` [m] the approach of roller and race.
+        The arc begins at the position without load. `psi` [rad] is the angle of the roller,
+        `to_race` [m] the approach of roller and race.
         """
         rho = self.race - self.sense * self.r + self.sense * to_race
         return np.asarray(rho * (psi - self.rigid_angle) * self.sense)

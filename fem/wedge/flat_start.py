@@ -18,7 +18,7 @@ Pair = tuple[float, float]
 
 @dataclass(frozen=True)
 class Start:
-    """Approximate state: overlaps `d` [m], half-widths [m] and drags [m] of both contacts."""
+    """Approximate state of both contacts: overlaps `d`, half-widths, surface displacements [m]."""
 
     d: Pair
     widths: Pair

@@ -3,7 +3,8 @@
 The strut touches the inner race with a spiral and the outer race with an arc; only these contacts
 hold it. The races can expand like rings: only the mean rotations of the bore of the inner race and
 of the rim of the outer race are prescribed. All bodies are meshed in the compressed state. The
-overlaps of the undeformed outlines that the mesh does not contain are subtracted from the gaps.
+mesh contains a part of the overlaps of the undeformed outlines; the rest is subtracted from the
+gaps.
 """
 
 import math
@@ -103,7 +104,7 @@ class State(Touching, Generic[P]):
         return float(aside - turn * (self.start.D - y)), float(outwards - turn * x), turn
 
     def unrest(self) -> Unrest:
-        """Displacement of the strut at its contacts, total overlap, and corrected drags."""
+        """Displacement of the strut at its contacts, total overlap, and corrected `drags`."""
         aside, _, turn = self.motion
         below, above = (aside + turn * (self.start.D - y) for y in self.start.touched)
         drags = self.drags[0] + below, self.drags[1] + above

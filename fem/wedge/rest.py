@@ -3,7 +3,7 @@
 Adjacent surfaces are rotated until the body is at rest in this position.
 
 In the theory of small displacements, forces act at the positions of the nodes in the mesh. If a
-body moved or rotated until friction stopped it, these positions would differ from its contacts.
+body moved or rotated until friction stopped it, its contacts would not be at these positions.
 """
 
 from collections.abc import Callable
@@ -53,7 +53,10 @@ class Touching:
 
 
 class Unrest(NamedTuple):
-    """Displacement `moves` [m] of a body, total overlap `size` [m], and corrected `drags` [m]."""
+    """Displacement `moves` [m] of a body, and the total overlap `size` [m] of its contacts.
+
+    `drags` [m] are the corrected tangential displacements of the adjacent surfaces.
+    """
 
     moves: float
     size: float

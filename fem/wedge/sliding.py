@@ -25,7 +25,7 @@ def driven(there: Sector, stuck: State, displacements: Sequence[float]) -> Array
     """States with the ring displaced to `displacements` [m] along z at constant N, as rows (m, 8).
 
     The columns are u_z [m] of the ring; the displacement [m] of its bore into the wedge; F_t/N of
-    both contacts and F_z/N of both contacts, along the normals of the mesh; and N at the ring and
+    both contacts and F_z/N of both contacts, for the normals of the mesh; and N at the ring and
     T, both relative to the state `stuck`.
     """
     path, state = [_row(stuck, stuck, 0.0)], stuck

@@ -62,7 +62,7 @@ class Limit:
         return self._bisected(lambda k: self.sticks(k * self.tan), 1 - BELOW, 1 + ABOVE, steps)
 
     def of_load(self) -> Array:
-        """Smallest mu that holds the axial load, divided by mu by Eq. 8, and uncertainty, (2,).
+        """Smallest mu that holds the axial load, divided by `full`, and its uncertainty, (2,).
 
         The clutch is under its torque.
         """

@@ -34,7 +34,7 @@ P = TypeVar("P", bound=TurnedPlace)
 
 @dataclass(frozen=True)
 class Start(Generic[P]):
-    """Approximate state of struts: position, half-widths [m] and drags [m]."""
+    """Approximate state of struts: position, half-widths and surface displacements `drags` [m]."""
 
     struts: Struts
     place: P

@@ -121,7 +121,7 @@ def mesh_blocks(
 
 
 def _named(mesh: Mesh2D, whole: Mapping[str, tuple[str, ...]]) -> Mesh2D:
-    """Mesh with the combined boundaries of `whole` in addition to its boundaries."""
+    """The `mesh`, to which the combined boundaries of `whole` are added."""
     own = mesh.boundaries
     found = {
         name: np.concatenate([own[part] for part in parts if part in own])

@@ -21,7 +21,7 @@ def flat_mesh(blocks: tuple[Block, ...], order: int) -> Mesh2D:
 
 
 def bent(mesh: Mesh2D, places: Places, names: Mapping[str, str], *, straight: bool) -> Mesh2D:
-    """Mesh with the cells of `mesh`, nodes at `places`, and boundaries renamed by `names`."""
+    """Mesh with the cells of `mesh`, nodes at `places`, and boundaries `names` (old: new name)."""
     bodies = dict(mesh.subdomains)
     boundaries = {new: mesh.boundaries[old] for old, new in names.items()}
     moved = type(mesh)(places, mesh.t)

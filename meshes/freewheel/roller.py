@@ -42,6 +42,6 @@ def bent_roller(
 
 
 def _bend(angle: Places, share: Places) -> Places:
-    """Even function of the angle: 1 at 0, -1 at half a turn, and 0 at the centre of the disc."""
+    """Even function of `angle`: on the rim, 1 at 0 and -1 at half a turn; at the centre, 0."""
     c = np.cos(angle)
     return (3 * c - c**3) / 2 * share**2 * (2 - share**2)
