@@ -108,7 +108,7 @@ class SpragStruts:
     def pinned(self, count: int, *, stiffer: float = 1.0) -> struts.Joint:
         """State of struts that are pinned to both races, under T.
 
-        The initial positions of the pins are those under T.
+        The pins are at their positions under T; the struts have the shortening due to T.
         """
         psi, z = self.slices(2 * math.pi * np.arange(self.Z) / self.Z, count)
         h = self.R_i * math.sin(self.nu)

@@ -71,7 +71,7 @@ class ShellSolution:
 
     @property
     def shear_stress(self) -> Array:
-        """Mean shear stress vectors (cells, 9, 3) in the surface, averaged over the thickness."""
+        """Transverse shear stress vectors (cells, 9, 3) in space, averaged over the thickness."""
         mean = self.resultants[..., SHEAR] / self.thickness[:, None, None]
         return np.asarray(np.einsum("mqi,mqic->mqc", mean, self.tangents))
 

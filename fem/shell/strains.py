@@ -79,8 +79,9 @@ class Frame:
 def operator(corners: Array) -> tuple[Array, Array, Array]:
     """Strain matrix B (m, 9, 10, 54), areas (m, 9), tangents (m, 9, 2, 3) at the Gauss points.
 
-    The rows are ε11, ε22, 2 ε12, κ11, κ22, 2 κ12, γ1, γ2, ω, ω, in the directions of the unit
-    tangents. Raises ValueError for folded cells.
+    The rows are ε11, ε22, 2 ε12, κ11, κ22, 2 κ12, γ1, γ2, ω interpolated from its tying points, and
+    ω without interpolation, in the directions of the unit tangents. Raises ValueError for folded
+    cells.
     """
     at = Frame.of(corners, POINTS)
     _check_folds(at)

@@ -47,8 +47,8 @@ def jacobians(mesh: Mesh3D, X: Array, cells: Indices | None = None) -> tuple[Arr
 def check_unfolded(mesh: Mesh3D) -> None:
     """Raise ValueError if a cell is folded or flat; the message states the first such cell.
 
-    The determinant must have one sign at three Gauss points per direction and at the nodes of the
-    cell.
+    The determinant must have the same sign at three Gauss points per direction and at the nodes of
+    the cell.
     """
     _, det = jacobians(mesh, np.hstack([cube_rule((3, 3, 3))[0], mesh.elem.doflocs.T]))
     low, high = det.min(axis=1), det.max(axis=1)

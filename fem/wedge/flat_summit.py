@@ -23,7 +23,7 @@ class SummitCourse(FlatCourse):
     def _square(self) -> CubicSpline:
         """Spline of (T/N)² over the square root of N.
 
-        It decreases nearly in proportion to the approaches, with little curvature.
+        (T/N)² decreases nearly in proportion to the approaches, with little curvature.
         """
         N = self.at_states["N"]
         return CubicSpline(np.sqrt(N), (self.at_states["T"] / N) ** 2)

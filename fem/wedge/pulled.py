@@ -69,7 +69,7 @@ class Borne:
 
     @classmethod
     def on_mesh(cls, state: State) -> Self:
-        """Contact forces along the normals of the mesh, for which Coulomb's law is satisfied."""
+        """Contact forces for the normals of the mesh, which satisfy Coulomb's law."""
         cam, ring = state.solution.touches
         return cls(
             N=np.array([cam.normal_force, ring.normal_force]),
@@ -92,13 +92,13 @@ def lever_left(mu: float, place: Place) -> float:
     """Ratio F_z/F_t at the friction limit, for the wedge angle of the roller at `place`.
 
     The friction cone of the solver refers to the normals of the mesh, at the angle of the initial
-    position. The torque belongs to the angle in equilibrium, with the cam in its rotated position.
+    position. The torque depends on the angle in equilibrium, with the cam in its rotated position.
     """
     return math.sqrt((mu / math.tan(place.psi / 2)) ** 2 - 1)
 
 
 def slipping(state: State) -> Array:
-    """Share (2,) of the normal force N at nodes that slip, for each contact; 1 without contact."""
+    """Share (2,) of N at nodes that slip, for each contact; 1 if contact is lost."""
     return np.array([1 - touch.sticking_share for touch in state.solution.touches])
 
 

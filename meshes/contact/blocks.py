@@ -44,7 +44,7 @@ class Edge:
         return 2 * radius * math.asin(min(1.0, chord / (2 * radius)))
 
     def placed(self, place: Place) -> "Edge":
-        """Edge moved by `place`, a rigid motion or a mirror image of points."""
+        """Edge mapped by `place`, a rigid motion or a reflection of points."""
         centre = None if self.centre is None else place(self.centre)
         return replace(self, start=place(self.start), end=place(self.end), centre=centre)
 
@@ -79,7 +79,7 @@ class Block:
         return self.placed(lambda point: (x * point[0], y * point[1]))
 
     def placed(self, place: Place) -> "Block":
-        """Block moved by `place`, a rigid motion or a mirror image of points."""
+        """Block mapped by `place`, a rigid motion or a reflection of points."""
         a, b, c, d = (edge.placed(place) for edge in self.edges)
         return replace(self, edges=(a, b, c, d))
 
