@@ -41,7 +41,7 @@ def test_what_is_no_axis_and_no_tolerance_is_refused_with_its_option():
         (axis, "a=2mm:2mm:3", "all values must be different"),
         (axis, "a=-1mm:2mm:3:log", "with log, both ends must be positive"),
         (axis, "=1mm:2mm:2", "the name of the input is missing"),
-        (axis, "kind=1:2:2", "kind is a word"),
+        (axis, "kind=1:2:2", "kind takes a word"),
         (axis, "supports[3].k=1:2kN/m:2", "the file contains no supports[3]"),
         (tolerance, "n=±1", "n is a whole number and cannot have a tolerance"),
         (tolerance, "b=±0mm", "the tolerance must be positive and finite"),

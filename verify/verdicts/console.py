@@ -39,7 +39,7 @@ class Placed:
 
 
 def named(words: str) -> tuple[FormulaVerdict, ...]:
-    """Verdicts on all forms of the equation that a text such as "Belcin Eq. 20" names, or empty."""
+    """Verdicts on all forms of the equation that `words` names ("Belcin Eq. 20"), or none."""
     match = _NAMED.fullmatch(" ".join(words.lower().split()))
     if match is None:
         return ()
@@ -91,7 +91,7 @@ def _design(one: FormulaVerdict) -> list[tuple[str, str]]:
 
 
 def of_part(case: Case, inputs: Inputs) -> tuple[Placed, ...]:
-    """Verdict on each formula of a case, in the form to use, with the position of the inputs."""
+    """Verdicts on the formulas of a case, except wrong printed forms, with the inputs' position."""
     return tuple(
         Placed(one, place(one, case.id, inputs)) for one in of_case(case)
         if one.form is Form.CORRECTED or one.verdict is not Verdict.WRONG

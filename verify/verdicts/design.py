@@ -85,7 +85,7 @@ def axis_of(entry: Declared) -> Axis:
 
 
 def side(case: str, of: Axis, low: float, high: float) -> Side:
-    """A range [SI] of an input in its unit and, if a ratio is declared, also as a ratio."""
+    """Range `low` to `high` [SI] in the unit of the input and, if declared, also as a ratio."""
     scale = ratio_of(case, of.name)
     found = Side(name=of.name, symbol=of.symbol, unit=of.unit, low=of.in_unit(low),
                  high=of.in_unit(high))  # fmt: skip

@@ -112,7 +112,7 @@ def _judged(row_id: str, rows: Mapping[str, Row]) -> Row:
 
 
 def _is_measured(row: Row, rows: Mapping[str, Row]) -> bool:
-    """Whether the row measured an unpredicted model error on meshes that converge."""
+    """Whether the row measured a model error without an expected value, on converged meshes."""
     beside = rows.get(f"{row.id}{BESIDE}")
     converges = beside is not None and beside.status is Status.PASS
     return row.status is Status.SHOWN and row.kind is Kind.APPROXIMATION and converges
@@ -129,7 +129,7 @@ def _studies(row: Row) -> list[Study]:
 
 
 def joined(studies: Sequence[Study]) -> list[Study]:
-    """Studies; studies of one case at the same points are merged and keep the larger errors."""
+    """The studies; those of one case at the same points become one with the larger errors."""
     found: dict[tuple[str, str], Study] = {}
     for plan, course in studies:
         key = (plan.case.id, str((plan.names, plan.points.tolist())))

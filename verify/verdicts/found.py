@@ -62,7 +62,7 @@ def _verdict(
 def _of(
     paper: str, formula: Formula, part: Evidence, model: Evidence, changed: float | None
 ) -> Verdict:
-    """Verdict from evidence that is complete.
+    """Verdict on a formula from its evidence.
 
     Raises NoEvidenceError if there is no evidence.
     """
@@ -127,7 +127,7 @@ def _described(head: FormulaVerdict, found: Evidence) -> FormulaVerdict:
 
 
 def _weight(point: Point, head: FormulaVerdict) -> tuple[float, float]:
-    """Sorting key of a row: error on the unsafe side (unsafe formulas), then size of the error."""
+    """Sorting key: error on the unsafe side (0 if not unsafe), then size of the error."""
     is_unsafe = head.verdict is Verdict.UNSAFE
     return on_unsafe_side([point], head.safe) if is_unsafe else 0.0, point.size
 
@@ -142,7 +142,7 @@ def _design(found: Evidence) -> tuple[DesignRange, ...]:
 
 
 def _spread(rows: Sequence[Row]) -> str:
-    """Range of the values that the interpretations left open by a paper give, as text."""
+    """Text of the range of values from the interpretations that a paper leaves open."""
     values = [row.analytic for row in rows if row.analytic is not None]
     if not values:
         return ""
@@ -152,7 +152,7 @@ def _spread(rows: Sequence[Row]) -> str:
 
 
 def _model(found: Evidence) -> str:
-    """Accuracy with which the formula solves its idealisation, as text."""
+    """Text of the formula's error relative to models with the same simplifications."""
     if not found.rows:
         return ""
     points = [point_of(row) for row in found.rows]

@@ -1,7 +1,7 @@
 """Inputs on which the error of a formula does not depend.
 
-Such inputs may have any value in a comparison with a user's part. `independent.toml` declares them
-with reasons.
+They may have any value if a user's inputs are compared with the ranges of studies.
+`independent.toml` declares them with reasons.
 """
 
 import tomllib

@@ -18,7 +18,7 @@ WITHOUT_RANGE = (Verdict.DEFINITION, Verdict.UNVERIFIABLE, Verdict.WRONG, Verdic
 
 
 class Where(StrEnum):
-    """Position of inputs: within a limit, outside of it, or not in a range that was compared."""
+    """Position of inputs: error within a limit, error beyond it, or inputs not compared."""
 
     INSIDE = "inside"
     OUTSIDE = "outside"
@@ -84,7 +84,7 @@ def _at_default(found: FormulaVerdict, case: str) -> Where:
 
 
 def _together(part: Part, ranges: Sequence[VerdictRange], symbols: Mapping[str, str]) -> str:
-    """Text on changed inputs without a study: those that no study contains, or all of them."""
+    """Text of the changed inputs that no study contains; if there are none, of all changed ones."""
     changed = part.changed()
     known = {side.name for r in ranges for side in r.studied}
     known |= {side.name for r in ranges for side in r.held if part.is_inside(side)}
@@ -98,7 +98,7 @@ def _together(part: Part, ranges: Sequence[VerdictRange], symbols: Mapping[str, 
 
 
 def _beyond(ranges: Sequence[VerdictRange], part: Part) -> str:
-    """Text with the compared range of the first input outside it, and the constant inputs."""
+    """Text with the compared range of the first input that is outside, and the constant inputs."""
     sides = [side for r in ranges for side in r.studied]
     for name in dict.fromkeys(side.name for side in sides):
         of_name = [side for side in sides if side.name == name]

@@ -58,7 +58,7 @@ def interpolation(plan: Plan, course: Course) -> float | None:
 
 
 def _rows(plan: Plan) -> Sequence[int]:
-    """One point on each line of the study: the centre of a star, or all points of a grid."""
+    """Row numbers of points whose lines are evaluated: centre of a star, all points of a grid."""
     return range(1) if plan.star else range(len(plan.points))
 
 

@@ -99,7 +99,7 @@ def _formula(plan: Plan, course: Course, kept: Sequence[int], row: Row | None) -
 
 
 def _safe(plan: Plan, course: Course) -> Safe:
-    """Safe side of the quantity as stated by the case or by a formula that rests on this row."""
+    """Safe side of the quantity as stated by the case or by a formula with this row as evidence."""
     stated = safe_side(plan, course)
     name = f"{plan.case.id}/{course.pair.name}"
     of_formulas = (

@@ -26,7 +26,7 @@ def sentences(found: FormulaVerdict) -> str:
 
 
 def joined(parts: Sequence[str]) -> str:
-    """The parts that are not empty as sentences; the last sentence has no full stop."""
+    """Non-empty `parts` joined as sentences; the last sentence has no full stop."""
     first, *others = filter(None, parts)
     return ". ".join((first, *(one[0].upper() + one[1:] for one in others)))
 
@@ -110,7 +110,7 @@ def percent(value: float | None) -> str:
 
 
 def _studied(found: FormulaVerdict) -> str:
-    """Text of the varied ranges of all studies; with unsolved points, of ranges with errors."""
+    """Text of the ranges of all studies; if points are unsolved, of ranges within the limit."""
     if found.unsolved:
         return "; ".join(dict.fromkeys(_range(one) for one in _widest(found) if one.inside))
     over = dict.fromkeys((one.case, one.over) for one in found.ranges)

@@ -1,4 +1,4 @@
-"""Results of finite elements for the members of a front."""
+"""Finite-element results for the members of a Pareto front."""
 
 import time
 from collections.abc import Callable, Sequence
@@ -57,7 +57,7 @@ class Verified:
 
     @property
     def limit(self) -> float:
-        """Allowed relative error of the stiffness by the formula."""
+        """Permissible relative error of the formula's stiffness."""
         return SHARE * self.e_max
 
     @property

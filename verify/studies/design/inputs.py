@@ -39,7 +39,7 @@ SWEEPS = {
 
 
 class Demands(Inputs):
-    """Required function of the spring, its material, and the limits of the design."""
+    """Required force and displacement of the spring, its material, and the limits of the design."""
 
     F_w: float = quantity("5 N", "N", "F_w", "working force", gt=0, le=1e5)
     L_w: float | None = quantity(

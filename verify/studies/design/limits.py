@@ -1,4 +1,4 @@
-"""Limits of a spring design (Eqs. 11-13 of Wang et al. 2023, and others); violated limits."""
+"""Limits of a spring design: Eqs. 11-13 of Wang et al. 2023, and further limits."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -19,8 +19,8 @@ class Limit:
     """A limit on one quantity of all candidates.
 
     `value` (N,) [SI] must be at most `bound`, or at least `bound` if `least` is set. `key` is the
-    name of the input that sets the limit. The bound minus `offset` is the value of this input: the
-    margin, for example, is U_A/U_w - 1.
+    name of the input that sets the limit. The value of this input is `bound` - `offset`: for a
+    margin, `bound` is 1 + margin and `offset` is 1.
     """
 
     key: str
@@ -35,7 +35,7 @@ class Limit:
 
     @cached_property
     def excess(self) -> Array:
-        """Excess of the value over the bound, relative to the bound, (N,); positive if violated."""
+        """Relative difference of value and bound, (N,); positive if the limit is violated."""
         beyond = self.bound - self.value if self.least else self.value - self.bound
         return np.where(np.isnan(self.value), np.inf, beyond / abs(self.bound))
 

@@ -1,4 +1,4 @@
-"""Candidate closest to feasible if no candidate is feasible, and the limits to relax."""
+"""If no candidate is feasible: the candidate closest to feasible, and the limits to relax."""
 
 import operator
 from collections.abc import Sequence
@@ -28,7 +28,7 @@ class Relaxation:
 
     @property
     def excess(self) -> float:
-        """Excess of the candidate's value over the bound, relative to the bound."""
+        """Relative difference of the candidate's value and the bound; positive if violated."""
         return float(self.limit.excess[self.candidate])
 
     @property
@@ -45,7 +45,7 @@ def relaxation(limit: Limit, i: int) -> Relaxation:
 
 
 def _least(excess: NDArray[np.float64]) -> int:
-    """Index of the candidate with the least excess; the first of several equal to round-off."""
+    """Index of the candidate with the least excess; the first if several are equal to round-off."""
     return int(np.argmax(excess <= excess.min() + ROUND_OFF))
 
 
@@ -64,7 +64,7 @@ def nearest(judged: Judged) -> list[Relaxation]:
 
 
 def alone(judged: Judged) -> Sequence[Relaxation]:
-    """Relaxations of one limit each that are sufficient to make a spring feasible.
+    """Relaxations of single limits, each of which alone makes one candidate feasible.
 
     For each limit, the smallest sufficient relaxation is given. Relaxations beyond the allowed
     range of the input are omitted.

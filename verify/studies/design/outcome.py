@@ -31,7 +31,10 @@ class Outcome:
 
     @property
     def passed(self) -> bool:
-        """Whether a spring was chosen and finite elements, if used, confirm it and all formulas."""
+        """Whether a spring was chosen and, if finite elements were used, passed their checks.
+
+        The chosen spring must fit, and the stiffness of every verified member must agree.
+        """
         if self.chosen is None:
             return False
         if not self.verified:

@@ -36,8 +36,9 @@ def columns(s: Search) -> dict[str, Any]:
 
 
 def candidates_csv(s: Search) -> str:
-    """CSV text with one line per candidate: geometry, results, feasibility, front, violated limits.
+    """CSV text with one line per candidate: geometry, results, states, violated limits.
 
+    The states are 1 or 0: whether the candidate is feasible, and whether it is on the Pareto front.
     A candidate whose shape is impossible violates "shape" and has no results.
     """
     out = io.StringIO()

@@ -1,4 +1,4 @@
-"""Search of Fig. 12 over all candidates at once: limits, Pareto front, listed members."""
+"""Search by the procedure of Fig. 12 for all candidates: limits, Pareto front, members."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -41,7 +41,7 @@ class Search:
 
     @cached_property
     def relaxations(self) -> Sequence[Relaxation]:
-        """Relaxations of one limit each that are sufficient; empty if a candidate is feasible."""
+        """Relaxations of single limits, each sufficient alone; empty if a candidate is feasible."""
         return () if self.front.size else alone(self.judged)
 
     @cached_property

@@ -74,10 +74,10 @@ class Formulas:
 
 
 def width_factors(springs: Springs, demands: Demands) -> Array:
-    """Factor on the stiffness of each spring due to its width, given or computed from its leaves.
+    """Width factor on the stiffness of each spring, as given or computed from its leaf length.
 
-    The factor of a leaf depends only on the ratio of h to its length. It is interpolated between
-    samples.
+    The factor depends only on the ratio of the width h to the length of a leaf. It is interpolated
+    between computed values.
     """
     if demands.width_factor is not None:
         return np.full(len(springs), demands.width_factor)

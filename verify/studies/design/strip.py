@@ -1,4 +1,4 @@
-"""Beam mesh and section of a candidate on the true centre line."""
+"""Beam mesh of a candidate along the true centre line, and the cross-section of the beam."""
 
 from typing import TYPE_CHECKING
 
@@ -17,7 +17,7 @@ HEAD_HELD = {"guided": "yr", "free": ""}
 def strip(
     s: Springs, i: int, q: Demands, per_arc: int, *, tips: bool = False
 ) -> "tuple[LineMesh, Section]":
-    """Mesh and section of candidate `i` with `per_arc` elements on an arc.
+    """Mesh of candidate `i` with `per_arc` elements on each arc, and its cross-section.
 
     `tips` adds the free ends of the leaves to the mesh.
     """

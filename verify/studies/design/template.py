@@ -1,4 +1,4 @@
-"""Commented parameter file of a design task, generated from its model."""
+"""Commented parameter file of a design task, generated from the declared inputs."""
 
 import json
 

@@ -7,7 +7,7 @@ from verify.studies.design_sprag.outcome import Outcome
 
 
 def answer(outcome: Outcome) -> Answer:
-    """Answer of a crown design; "holds" if the half-space agrees and no limit is exceeded."""
+    """Answer of a crown design; "holds" if the half-space checks agree and no limit is exceeded."""
     task = outcome.task
     k = int(outcome.pressures.argmax())
     what = f"largest pressure, {task.torques[k]:g} N m, with the crown {named(outcome.crown)}"

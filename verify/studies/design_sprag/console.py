@@ -62,7 +62,11 @@ HEAD_CROWN = ("present", "optimum", "range", f"within {100 * FLAT:g} %: alone", 
 
 
 def crown_table(outcome: Outcome) -> list[tuple[str, ...]]:
-    """Cells, one line per crown parameter: present value, optimum, range, permissible ranges."""
+    """Cells, one line per crown parameter: present value, optimum, range, two equivalent ranges.
+
+    The pressure is almost constant in the equivalent ranges: in the first if only this parameter
+    is varied, in the second if all parameters are varied together.
+    """
     task, q = outcome.task, outcome.task.clutch
     now = (q.K_1, q.K_2, q.z_m)
     return [
@@ -161,7 +165,7 @@ def remarks(outcome: Outcome) -> list[str]:
 
 
 def at_bounds(outcome: Outcome) -> list[str]:
-    """Lines about bounds that the optimal crown reaches although a wider range has no advantage."""
+    """Lines about bounds that the optimal crown reaches, if a wider range gives no advantage."""
     return [
         f"{SYMBOLS[b.parameter]} is at the end of its range; a wider range gives no advantage "
         f"({value_of(b.parameter, b.beyond)} was tried)"
@@ -202,8 +206,9 @@ def surely(outcome: Outcome) -> str:
 def by_slices(outcome: Outcome) -> list[str]:
     """Line about the crown that is optimal in the model with slices, at the largest torque.
 
-    The crown is selected from the evaluated crowns within the ranges. The list is empty if strips
-    give nearly the same pressure for this crown, or if the task itself uses slices.
+    The crown is selected from the evaluated crowns within the ranges. The list is empty if, by
+    strips, the pressure of this crown is less than 0.5 % above that of the chosen crown, or if the
+    task itself uses slices.
     """
     task, known = outcome.task, outcome.search.model.known
     if task.wishes.contacts == "slices":
@@ -300,7 +305,7 @@ def _bounds(outcome: Outcome) -> list[str]:
 
 
 def _flat(outcome: Outcome) -> list[str]:
-    """Warning if all crowns of the ranges are equivalent."""
+    """Warning if all crowns within the ranges are equivalent."""
     task = outcome.task
     if all(
         high - low >= 0.98 * (task.high[j] - task.low[j])

@@ -107,7 +107,7 @@ def load(path: Path) -> Task:
 
 
 def task(raw: Mapping[str, Any], name: str, where: str) -> Task:
-    """Design task from raw inputs; omitted inputs are as in the paper's task, without tolerances.
+    """Design task from raw inputs; the defaults are those of the paper's task, without tolerances.
 
     Raises InputError if an input is unknown, missing or out of its range.
     """
@@ -163,7 +163,7 @@ def _refuse_wide(task: Task, where: str) -> None:
     if t_z > LARGEST_SHARE * least:
         raise InputError(
             f"{where}: inputs.t_z = {t_z * 1e3:g} mm: must not exceed half of the smallest drop in "
-            f"z_m_range, {least * 1e3:g} mm"
+            f"z_m_range (half of {least * 1e3:g} mm)"
         )
     if not task.t_K2 < task.low[1]:
         raise InputError(

@@ -51,7 +51,8 @@ class Known:
 
         On a half-space, the pressure at a loaded end increases without limit, with the inverse
         square root of the strip width. The search therefore scales the pressures of end strips from
-        width b/3 to b/27, a few micrometres. Pressures of slices are not changed, as in the paper.
+        a width of b/3 to b/27, where b is the half-width of the contact. Pressures of slices are
+        not scaled, as in the paper.
         """
         p = self.along(contacts, torque)
         if contacts == "slices":

@@ -1,4 +1,4 @@
-"""The true model: engagements of the clutch with any crown, stored on disk immediately.
+"""The true model: computed engagements of the clutch with any crown; results are stored on disk.
 
 Forces are computed with the slices of the clutch; the ends of the crown have little effect on the
 forces. Pressures under these forces are computed by slices and by strips on a half-space.
@@ -129,7 +129,7 @@ class Model:
 
 
 def engagements(answer: list[One] | str | Lost) -> list[One]:
-    """Forces and pressures of the crowns in a result of `some_fem`.
+    """Forces and pressures of the crowns in `answer`, if the computation succeeded.
 
     Raises NoLockError if an engagement does not lock, and ArithmeticError if it was not computed.
     """
@@ -141,7 +141,7 @@ def engagements(answer: list[One] | str | Lost) -> list[One]:
 
 
 def key(task: Task) -> str:
-    """Hexadecimal key of the results of a chunk, from all data on which the results depend."""
+    """Hexadecimal key of the results of a task, from all data on which the results depend."""
     q, torques, crowns, by = task
     clutch = with_crown(q, None).model_dump(exclude={"K_1", "K_2", "z_m", "T", "p_lim", "R_p"})
     task_text = json.dumps([clutch, torques, crowns, by], sort_keys=True)
@@ -151,7 +151,7 @@ def key(task: Task) -> str:
 
 
 def load(store: Store, task: Task) -> list[One] | None:
-    """Stored results of a chunk; None if there is no readable record."""
+    """Stored results of a task; None if there is no readable record."""
     content = store.one(KIND, key(task))
     if content is None:
         return None
@@ -163,7 +163,7 @@ def load(store: Store, task: Task) -> list[One] | None:
 
 
 def keep(store: Store, task: Task, answer: list[One]) -> bool:
-    """Store the results of a chunk; False if they could not be written."""
+    """Store the results of a task; False if they could not be written."""
     N, p = (np.array(part) for part in zip(*answer, strict=True))
     with suppress(OSError):
         store.store(KIND, CASE, {key(task): packed({"N": N, "p": p})})

@@ -48,11 +48,12 @@ class Bound:
 class Outcome:
     """Result of a crown design for m torques.
 
-    `crown` (3,) is the chosen crown. `best_crowns` (m, 3) are the optimal crowns of the torques,
-    `best` (m,) [Pa] their pressures. `worst` (m,) [Pa] are the largest pressures of the chosen
-    crown within its tolerance, as compared in the search. `chosen`, `now` and `without` are results
-    of the true model for the chosen crown, the present crown and no crown. `predicted` and `true`
-    are the minimum of the objective by kriging and by the true model at the end of the search.
+    `crown` (3,) is the chosen crown. `best_crowns` (m, 3) are the optimal crowns for each single
+    torque, and `best` (m,) [Pa] the lowest pressures that the search found. `worst` (m,) [Pa] are
+    the largest pressures of the chosen crown within its tolerance, scaled as in the search.
+    `chosen`, `now` and `without` are results of the true model for the chosen crown, the present
+    crown and no crown. `predicted` and `true` are the objective of the chosen crown by kriging and
+    by the true model.
     """
 
     task: Task
@@ -115,9 +116,8 @@ class Outcome:
 def carry_out(task: Task, where: str, *, use_half_space: bool, quiet: bool) -> Outcome:
     """Optimal crown of a task, with all comparisons.
 
-    Raises InputError, in one line, if no crown can be trusted. The line states whether engagements
-    do not lock or could not be solved. In the latter case, it is not known whether the clutch
-    locks.
+    Raises InputError if engagements do not lock or could not be solved; the message states which.
+    If they could not be solved, it is not known whether the clutch locks.
     """
     try:
         with progress.shown(quiet=quiet) as show:
@@ -169,7 +169,7 @@ def _carried_out(task: Task, show: progress.Show, use_half_space: bool) -> Outco
 
 
 def _on_edge(model: Model, crown: Array) -> bool:
-    """Whether the ends of a crown (3,) are unloaded but would be loaded at a smaller drop."""
+    """Whether the ends of a crown (3,) are unloaded, but loaded at a slightly smaller drop."""
     pair = np.array([crown, crown * [1, 1, SHALLOWER]])
     loads = model.answers(crown[None]).N_max[0]
     carry = np.array([ends_carry(model, pair, np.full(2, N), k) for k, N in enumerate(loads)])
@@ -188,9 +188,9 @@ def _worth(task: Task, best: Array) -> Worth:
 
 
 def flatness(search: Search, worth: Worth, crown: Array, worst: Array) -> tuple[Array, Array]:
-    """Parameter ranges (3, 2) of crowns with almost the least objective.
+    """Two sets of parameter ranges (3, 2) of crowns whose objective is almost the minimum.
 
-    First ranges: only one parameter is varied; second ranges: all three are varied together.
+    For the first set, only one parameter is varied; for the second, all three are varied together.
     """
     most = (1 + FLAT) * max(worth(worst[None])[0], worth(search.worst(crown[None]))[0])
     scattered = crowns_of(random_designs(search.box, SCATTERED, search.task.wishes.seed))
@@ -217,7 +217,7 @@ def _around(values: Array, mask: Array, at: float) -> Array:
 
 
 def bound(search: Search, worth: Worth, crown: Array, worst: Array) -> Sequence[Bound]:
-    """Bounds of the ranges that the crown reaches, with the gain beyond each (true model)."""
+    """Bounds that the crown reaches, with the gain from a value beyond each bound (true model)."""
     task, found = search.task, []
     for j in range(3):
         low, high = task.low[j], task.high[j]

@@ -3,7 +3,7 @@
 There are three regimes, from the end inwards. The first is the end strip, whose pressure decreases
 steeply to zero as the crown becomes deeper. The second consists of the strips next to it, at the
 end of the contact. The third consists of all other strips. Kriging uses ln K_1 and ln z_m, because
-the effects of K_1 and z_m decrease as they increase.
+equal changes of K_1 and z_m have a smaller effect if K_1 and z_m are large.
 """
 
 from dataclasses import dataclass
@@ -76,7 +76,7 @@ def regimes(
 
     `along` (n, strips) are pressures along the sprag. A regime is fitted to the crowns with which
     it carries load. If these crowns are too few or too similar for kriging, it is fitted to all
-    crowns. A regime without load in all crowns is omitted.
+    crowns. A regime that carries no load with any crown is omitted.
     """
     from analytic.surrogate.terms import trend_terms
 

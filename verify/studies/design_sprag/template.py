@@ -1,4 +1,4 @@
-"""Commented parameter file of a crown design, generated from its model."""
+"""Commented parameter file of a crown design, generated from the declared inputs."""
 
 import json
 

@@ -57,12 +57,12 @@ class Check:
         return float((self.strips if self.contacts == "strips" else self.slices).max())
 
     def off(self, pressure: float) -> float:
-        """Relative difference of a largest pressure [Pa] from that of the half-space."""
+        """Relative difference of a `pressure` [Pa] from the largest pressure of the half-space."""
         return pressure / self.peak - 1
 
     @property
     def mid_off(self) -> float:
-        """Relative difference of the pressure at mid-length from that of the half-space."""
+        """Relative difference of the contact model's pressure at mid-length from the half-space."""
         p = self.strips if self.contacts == "strips" else self.slices
         n = len(p)
         mid = np.sqrt((p[(n - 1) // 2] ** 2 + p[n // 2] ** 2) / 2)
@@ -120,7 +120,7 @@ def unloading(model: Model, check: Check) -> float | None:
 def ends_carry(model: Model, crowns: Array, loads: Array, torque: int) -> NDArray[np.bool_]:
     """Whether the ends of crowns (n, 3) are loaded under the loads (n,) [N], (n,).
 
-    The strips are about as narrow as the cells of the half-space, so that a `Check` is comparable.
-    `torque` is the number of the torque that causes the loads.
+    The strips are about as narrow as the cells of the half-space, so that the result is comparable
+    with a `Check`. `torque` is the number of the torque that causes the loads.
     """
     return np.asarray(model.by_strips(crowns, loads, torque, NARROW)[:, 0] > 0)

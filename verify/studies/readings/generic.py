@@ -1,4 +1,4 @@
-"""Readings for the formulas of any case, by the kind of its inputs."""
+"""Readings (interpretations) for the formulas of any case, for each kind of input."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -24,7 +24,7 @@ def numbers(inputs: Inputs) -> dict[str, Any]:
 
 
 def readings(inputs: Inputs) -> tuple[Reading, ...]:
-    """Readings of lengths, angles, counts and elastic constants, and factors of the result."""
+    """Readings of lengths, angles, counts and elastic constants in `inputs`, and of the result."""
     found: list[Reading] = []
     known = numbers(inputs)
     for name, field in type(inputs).model_fields.items():

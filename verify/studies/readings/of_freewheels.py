@@ -1,7 +1,7 @@
 """Readings for roller freewheels and the polyhedral ring: Nagler et al., Belcin et al.
 
 These papers contain few numbers. Therefore, the readings of a printed equation are compared with
-the result of the geometry or of an equilibrium for the example of the ledger.
+a result derived from the geometry or from an equilibrium, for the example in the ledger.
 """
 
 import math
@@ -21,7 +21,7 @@ POLYGON = {"z": 6, "d_i": 72.0, "d_e": 80.0, "b": 30.0, "D_i": 100.06, "j_D": 0.
 
 
 def half_angle(q: Mapping[str, Any]) -> float:
-    """Angle α_0 of Eq. 4 [deg] with the given numerator."""
+    """Angle α_0 of Eq. 4 [deg] with the numerator that `q` selects."""
     x = (q[q["numerator"]] + q["X"]) / (2 * (q["R"] - q["r"]))
     root = math.sqrt(x) if q["root"] else x
     return float(math.degrees(q["inverse"](root)) * q["share"])
@@ -42,7 +42,10 @@ def _half_angle_readings() -> tuple[Reading, ...]:
 
 
 def loaded_angle(q: Mapping[str, Any]) -> float:
-    """Angle α_1 of Eq. 5 [deg] without load; `above`, `below`: signs of r in the fraction."""
+    """Angle α_1 of Eq. 5 [deg] without load.
+
+    `q["above"]` and `q["below"]` are the signs of r in the numerator and in the denominator.
+    """
     x = (q["X"] + q["above"] * q["r"]) / (q["ring"] + q["below"] * q["r"])
     return float(0.5 * math.degrees(math.acos(x)) * q["share"])
 

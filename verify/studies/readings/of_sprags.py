@@ -23,13 +23,13 @@ def half(name: str) -> float:
 
 
 def error(q: Mapping[str, Any]) -> float:
-    """(|difference| of two values, divided by one value or their mean), raised to a power [%]."""
+    """Difference of two values relative to one value or to their mean, raised to a power [%]."""
     base = q["actual"] + q["of"] * (q["predicted"] - q["actual"])
     return float(100 * (abs(q["actual"] - q["predicted"]) / base) ** q["power"])
 
 
 def squared(q: Mapping[str, Any]) -> float:
-    """Difference of two pressures to `power`, divided by the number of points [MPa^power]."""
+    """Difference of two pressures, raised to a power, over the number of points [MPa^power]."""
     return float((q["actual"] - q["predicted"]) ** q["power"] / q["points"])
 
 
@@ -107,7 +107,7 @@ def _raised(kind: str) -> dict[str, Any]:
 def _raised_readings(kind: str) -> tuple[Reading, ...]:
     """Readings of the exponent and of the ratio of forces.
 
-    The ratio of the other pair of pressures is included, but is no independent evidence.
+    The ratio from the pressures of the other crown is included, but is no independent evidence.
     """
     laws = {"point contact: cube root": 1 / 3, "Palmgren's law: 0.45": 0.45, "linear": 1.0,
             "two thirds": 2 / 3, "Palmgren's approach: 0.9": 0.9}  # fmt: skip

@@ -1,4 +1,4 @@
-"""Readings that are possible for any formula, by the kind of its inputs."""
+"""Readings (interpretations) that are possible for any formula, for each kind of input."""
 
 import math
 from collections.abc import Callable
@@ -28,7 +28,7 @@ def length(name: str, symbol: str = "") -> list[Reading]:
 
 
 def angle(name: str, symbol: str = "") -> list[Reading]:
-    """Readings of an angle in rad: half and twice, sine and tangent exchanged, wrong unit."""
+    """Readings of an angle in rad: half, double, sine and tangent exchanged, deg taken as rad."""
     s = symbol or name
     changes: dict[str, Callable[[float], float]] = {
         f"sin {s} instead of tan {s}": lambda a: math.atan(math.sin(a)),
@@ -43,7 +43,7 @@ def angle(name: str, symbol: str = "") -> list[Reading]:
 
 
 def count(name: str, symbol: str = "") -> list[Reading]:
-    """Readings of a number of parts: one less, one more, total and single part exchanged."""
+    """Readings of a number of parts: one less, one more, result of all parts or of one part."""
     s = symbol or name
     return [
         Reading(name=f"{s} − 1 instead of {s}", of=s, inputs=lambda q: {name: q[name] - 1}),
@@ -73,7 +73,7 @@ def elastic(E: str, nu: str) -> list[Reading]:
 
 
 def result() -> list[Reading]:
-    """Readings of a result by a factor, such as both sides, or mean instead of maximum."""
+    """Readings of a result that change it by a factor, such as both sides instead of one."""
     factors = {
         "both sides instead of one": 2.0,
         "one side instead of both": 0.5,
@@ -89,5 +89,5 @@ def result() -> list[Reading]:
 
 
 def switched(name: str, description: str, **values: object) -> Reading:
-    """Reading with other `values` of the inputs that select the option `name` of the formula."""
+    """Reading that sets inputs to `values`, which select the option `name` of the formula."""
     return Reading(name=description, of=name, inputs=lambda _q: values)

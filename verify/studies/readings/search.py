@@ -2,8 +2,8 @@
 
 If the formula does not give a printed number, the number may have another meaning: a diameter
 instead of a radius, one side instead of both, plane strain instead of plane stress. Every
-combination of a few readings is tried. It matches if the difference is within half the last printed
-digit plus the effect of rounded inputs.
+combination of a few readings is tried. It matches if the difference is within half a unit of the
+last printed digit plus the effect of rounded inputs.
 
 The more readings are tried, the more of them match by chance. Therefore, the expected number of
 matches with a number unrelated to the formula is reported. Results of readings are concentrated
@@ -115,10 +115,11 @@ def search(
     """Result of trying all combinations of at most `most` readings against the printed number.
 
     `formula` returns the number in its printed unit from `inputs`. `rounding` contains the possible
-    errors of single inputs, half of their last printed digit. With `digits`, one misprinted digit
-    in the result of the unchanged formula is another reading. This requires at least three printed
-    digits: with fewer digits, any number would be a misprint. `progress` receives the number of
-    finished combinations and their total. Raises ValueError if `printed` is no number or zero.
+    errors of single inputs: half a unit of their last printed digit. With `digits`, one misprinted
+    digit in the result of the unchanged formula is another reading. This requires at least three
+    printed digits: with fewer digits, any number would be a misprint. `progress` receives the
+    number of finished combinations and their total. Raises ValueError if `printed` is no number or
+    zero.
     """
     value, half = number(printed), half_last_digit(printed)
     digits = digits and abs(value) / (2 * half) >= LEAST_DIGITS
@@ -187,8 +188,8 @@ def _needed(hits: Sequence[Tried], value: float) -> list[Tried]:
 def together(outcomes: Sequence[Outcome]) -> Outcome:
     """Result of one search for several numbers: readings that give all numbers together.
 
-    `outcomes` are results for the same readings with other inputs. The numbers in the result are
-    those of the first outcome.
+    `outcomes` are results for the same readings with different inputs. The numbers in the result
+    are those of the first outcome.
     """
     first = outcomes[0]
     by_readings = [{t.readings: t for t in one.found} for one in outcomes]
@@ -245,7 +246,7 @@ def _chances(
 
 
 def _larger(by_span: Sequence[Sequence[float]]) -> tuple[float, ...]:
-    """Expected chance matches with at most 0, 1, ... changes: the largest sum of all spans."""
+    """Expected chance matches with at most 0, 1, ... changes, for the span with most matches."""
     return tuple(max(sum(sums[: k + 1]) for sums in by_span) for k in range(len(by_span[0])))
 
 

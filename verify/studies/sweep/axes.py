@@ -5,7 +5,7 @@ delta_1=2mm:6mm:9         nine values, evenly spaced
 b=0.2mm:2mm:10:log        ten values, logarithmically spaced
 E=190GPa,210GPa           these two values
 supports[2].k=1e7N/m:1e9N/m:5:log
-delta_1=±0.05mm, E=±5%    uniformly distributed within
+delta_1=±0.05mm, E=±5%    uniformly distributed within these limits
 """
 
 import math
@@ -125,7 +125,7 @@ def tolerance(inputs: Inputs, text: str) -> Tolerance:
 
 
 def _symbol(name: str, symbol: str) -> str:
-    """Symbol of the input; for an entry of a table with the entry, as in "k of supports[2]"."""
+    """Symbol of the input; in a table, followed by the entry of the table: "k of supports[2]"."""
     if place := _PLACE.fullmatch(name):
         return f"{symbol or place['key']} of {place['table']}[{place['entry']}]"
     return symbol or name
@@ -175,7 +175,7 @@ def _field(inputs: Inputs, name: str, where: str) -> tuple[FieldInfo, float | No
         known = ", ".join(names(inputs))
         raise InputError(f"{where}: unknown input {name}; inputs that can be varied: {known}")
     if kind_of(fields[key]) not in (int, float):
-        raise InputError(f"{where}: {name} is a word; only numbers can be varied")
+        raise InputError(f"{where}: {name} takes a word; only inputs with numbers can be varied")
     value = getattr(holder, key)
     return fields[key], None if value is None else float(value)
 

@@ -40,7 +40,7 @@ INDICES = (
 def print_outcome(found: Outcome, verdict: Verdict = lambda *_: "") -> None:
     """Print the states of the points, the rows with the largest errors, and regions or indices.
 
-    `verdict` returns the verdict on a row of a grid in words.
+    `verdict` returns a text with the verdict on a compared row; it is only used for grids.
     """
     for line in lines_of(found, verdict):
         print(line)
@@ -75,7 +75,7 @@ def lines_of(found: Outcome, verdict: Verdict = lambda *_: "") -> list[str]:
 
 
 def _own_values(plan: Plan) -> Iterator[str]:
-    """Lines about axes that do not contain the value of the file."""
+    """Lines about axes whose range does not contain the value in the file."""
     for one in plan.axes:
         low, high = one.values[0], one.values[-1]
         room = 1e-9 * (high - low)
@@ -125,7 +125,7 @@ def _furthest(plan: Plan, course: Course) -> str:
 
 
 def _of_grid(plan: Plan, course: Course, at: str, verdict: str) -> Iterator[str]:
-    """Lines for one row of a grid: verdict and regions; limits with equal regions are combined."""
+    """Lines for one compared row over a grid: verdict, and regions within each limit."""
     yield f"{course.pair.name}{at}"
     if verdict:
         yield f"  verdict over this sweep: {verdict}"
@@ -140,7 +140,7 @@ def _of_grid(plan: Plan, course: Course, at: str, verdict: str) -> Iterator[str]
 
 
 def _of_sample(plan: Plan, course: Course, at: str) -> Iterator[str]:
-    """Lines for one row of a sample: scatter of finite elements and of the error, with causes."""
+    """Lines for one compared row over a sample: scatter of finite elements and error, causes."""
     one = indices(plan, course)
     lost = f" ({counted(one.dropped, 'row')} of the sample left out: not solved)"
     yield f"{course.pair.name}{at}{lost if one.dropped else ''}"
@@ -162,7 +162,7 @@ def _of_sample(plan: Plan, course: Course, at: str) -> Iterator[str]:
 
 
 def _moments(scatter: Scatter, unit: str) -> str:
-    """Mean, standard deviation and quantiles as text; the deviation sets the number of digits."""
+    """Mean, standard deviation and quantiles as text, in digits that suit the deviation."""
     size = units.factor(unit)
     mean, sd, low, median, high = (
         v / size for v in (scatter.mean, scatter.sd, scatter.low, scatter.median, scatter.high)

@@ -1,4 +1,4 @@
-"""Table that `freewheel sweep` prints: one line for each row with the largest errors."""
+"""Table that `freewheel sweep` prints: compared rows with the largest errors."""
 
 import math
 from collections import Counter
@@ -23,7 +23,7 @@ def table(found: Outcome) -> tuple[list[str], bool]:
     """Lines of the table, and whether they state the place of the largest error.
 
     A line contains the name of the row, its largest error, and the shares of points within the
-    limits. The place is omitted if the names would not be distinguishable.
+    limits. The place is omitted if it leaves too little space for distinguishable names.
     """
     shown, plan = worst(found)[:MOST_ROWS], found.solved.plan
     inside = [_inside(plan, course) for course in shown]

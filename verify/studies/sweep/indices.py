@@ -173,8 +173,8 @@ def terms(a: Array, b: Array, mixed: Array) -> Array:
     """Terms (n, 2 + 2 d) whose means over the sample give the sensitivity indices.
 
     `a` and `b` (n,) are the results of the matrices A and B, and `mixed` (d, n) those of A with one
-    column of B. The mean is subtracted from all results. This does not change the indices, but
-    reduces the scatter of their estimates.
+    column taken from B. The mean is subtracted from all results. This does not change the indices,
+    but reduces the scatter of their estimates.
     """
     mean = (a.mean() + b.mean()) / 2
     a, b, mixed = a - mean, b - mean, mixed - mean

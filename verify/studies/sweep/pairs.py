@@ -44,7 +44,7 @@ class Pair:
 
     @property
     def plain(self) -> bool:
-        """Whether the row compares the two values directly, without values derived from them."""
+        """Whether the row compares the two values themselves, not values derived from them."""
         return type(self.claim).rows in (Identity.rows, Approximation.rows)
 
 
@@ -65,7 +65,7 @@ class Compared:
 
 
 def pairs(case: Case) -> tuple[Pair, ...]:
-    """All pairs of a case in the order of its rows, except rows that only apply to the paper."""
+    """All pairs of a case in the order of its rows, without rows for the paper's inputs only."""
     return tuple(
         Pair(
             name=claim.name, symbol=claim.symbol, unit=claim.unit, kind=claim.kind,
@@ -154,7 +154,7 @@ class Known:
 def compared(pair: Pair, point: Known) -> Compared:
     """Result of the pair at a point.
 
-    A series that does not converge is accepted as long as its scatter is small.
+    If the results do not converge with finer meshes, they are accepted if their scatter is small.
     """
     return _plainly(pair, point) if pair.plain else _by_its_row(pair, point)
 
@@ -215,7 +215,7 @@ def _judged(
 
 
 def _index(grid: GridConvergence, v: Sequence[float]) -> float:
-    """Grid convergence index; without an order three times the scatter, inf if this is large."""
+    """Grid convergence index; without convergence three times the scatter, or inf if large."""
     if grid.converges:
         return grid.gci
     scatter = 3 * (max(v[-LEVELS:]) - min(v[-LEVELS:]))

@@ -72,8 +72,8 @@ def sample(
     """Plan with a scrambled Sobol sample for sensitivity indices.
 
     `count` is "sobol:N" with N a power of two. The points are those of Saltelli's design: the rows
-    of the matrices A and B, then, for each input, of A with one column of B. Raises InputError if
-    an argument is wrong.
+    of the matrices A and B, then, for each input, of A with the column of this input taken from B.
+    Raises InputError if an argument is wrong.
     """
     from scipy.stats import qmc  # half a second, which a grid does without
 

@@ -1,7 +1,7 @@
 """One point of a sweep: formulas and finite elements at one set of inputs, in any process.
 
-The result contains all numbers of all levels that rows compare. If other rows are selected or a
-rule of judging is changed, no new solution is therefore necessary.
+The result contains, for every level, all numbers that any row compares. Therefore, no new solution
+is necessary if different rows are selected or a rule of judging is changed.
 """
 
 import time

@@ -29,7 +29,7 @@ def record(found: Outcome, repeat: str) -> dict[str, Any]:
                  varied: name, symbol, unit, what, nominal, and values with spacing, or off
     points       lists over the points: inputs (values by name), status, reason. Grid: the last
                  axis varies fastest; star: its centre is first; sample: rows of A,
-                 of B, and, for each input, of A with one column of B
+                 of B, and, for each input, of A with one column from B
     counts       numbers of points: solved, refused, failed; reasons: points with each reason
     rows         name, symbol, unit, kind, by (method used instead of finite elements), and lists
                  over the points: formula, fe, U in the unit; error, U_error as fractions;

@@ -157,7 +157,7 @@ def _of_grid(plan: Plan, found: Verdicts) -> tuple[tuple[Range, ...], int | None
 
 
 def _of_star(plan: Plan, found: Verdicts) -> tuple[tuple[Range, ...], int | None, int]:
-    """Longest range on each axis, None, and number of points; a star has no middle of a box."""
+    """Longest range on each axis, None (no box with a middle), and number of points in ranges."""
     ranges, rows = [], set[int]()
     for line in lines(plan, 0):
         if box := largest_box(found[line.points] == INSIDE):
@@ -208,8 +208,8 @@ def _first_break(
     """First violation of the limit, or None.
 
     The first violation has the least distance from the base point, relative to the length of the
-    axis. A violation is an error beyond the limit or undecided. An unsolved point ends a line, and
-    is reported only if no line has a violation.
+    axis. A violation is a point that is outside the limit or undecided. An unsolved point ends a
+    line, and is reported only if no line has a violation.
     """
     best, least = None, (True, np.inf)
     for line in every:

@@ -75,8 +75,8 @@ def solve(
     """Solve every point of the plan on the given processes; each result is stored immediately.
 
     `again` repeats failed points. Raises OSError if results cannot be stored or gmsh cannot be
-    started, GoneError if the processes do not respond any more, and KeyboardInterrupt. The last two
-    state what is stored.
+    started, GoneError if the processes do not respond any more, and KeyboardInterrupt. The
+    messages of the last two state which results are stored.
     """
     part = portion(plan.case, plan.chosen)
     store = Store(folder or cache.default_folder())
@@ -135,7 +135,7 @@ class _Points:
             self.known = {k: _without_problems(one) for k, one in self.known.items()}
 
     def missing(self) -> list[Task]:
-        """Tasks for the points without results, numbered by the order of `names`."""
+        """Tasks for the points without results, numbered by their position in `names`."""
         code = code_of(self.plan.case, self.part)
         todo = []
         for n, (key, inputs) in enumerate(self.inputs.items()):
@@ -200,7 +200,7 @@ class _Batches:
         return tuple(self.waiting.popleft() for _ in range(size))
 
     def _size(self) -> int:
-        """Number of points of the next batch, which takes about BATCH.
+        """Number of points of the next batch, which is solved in about BATCH s.
 
         The first batches contain one point. Batches become smaller towards the end.
         """

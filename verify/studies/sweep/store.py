@@ -39,7 +39,7 @@ class Points:
         return _hash(*parts)
 
     def load(self, keys: Sequence[str]) -> dict[str, Solution]:
-        """Stored results of the points (key: result), without parts that other code computed."""
+        """Stored results of the points (key: result), without parts computed by different code."""
         sides = {kind: self._side(kind, keys) for kind in self.stamps}
         found = {}
         for key in keys:

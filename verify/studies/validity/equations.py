@@ -23,8 +23,9 @@ _GREEK = {
 def place(case: Case, pair: Pair) -> str:
     """Text with the paper and the equation number of a row.
 
-    The number is that in the name of the row, otherwise that in the ledger. Without a number, the
-    place of the case is returned. If the name states a paper before the number, this is the paper.
+    The number is taken from the name of the row or, if the name has none, from the ledger. If the
+    ledger has none, the place that the case states is returned. If the name of the row contains a
+    paper, this paper is returned; otherwise, the paper of the case.
     """
     found = _PLACE.search(pair.name)
     source = (found["paper"] if found else "") or cited(case.paper)
@@ -37,7 +38,7 @@ def place(case: Case, pair: Pair) -> str:
 
 
 def tex(case: Case, pair: Pair, shown: Sequence[Equation]) -> str:
-    """TeX code of the formula of an approximation, as in the case; empty if ambiguous.
+    """TeX code of the row's formula, from the equations `shown`; empty if none or several match.
 
     An equation belongs to the row if its left side is the symbol of the row. If several formulas
     have this symbol, the equation must also have the equation number of the row.

@@ -1,4 +1,4 @@
-"""Formulas that are not measured, with reasons, and cases with maps of a formula."""
+"""Cases without measured ranges, with reasons, and cases with maps of the same formulas."""
 
 from collections.abc import Mapping
 

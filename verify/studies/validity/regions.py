@@ -69,7 +69,7 @@ def _alone(ranges: Sequence[Range]) -> str:
 
 
 def _drawn(plan: Plan, course: Course) -> tuple[tuple[ValidityAxis, ...], list[int]]:
-    """Axes of the figure and the numbers of its points.
+    """Axes of the figure, and the row numbers of its points in the plan.
 
     For a grid, the figure contains the complete grid, or nothing if the grid has too many axes. For
     a star, it contains the line on which the error varies most.

@@ -106,7 +106,7 @@ def _short(values: Array) -> list[float | None]:
 
 
 def _reasons(problems: Sequence[str]) -> dict[str, list[int]]:
-    """Numbers of the points without an error, by reason."""
+    """Row numbers of the points whose error was not computed, by reason."""
     found: dict[str, list[int]] = {}
     for n, reason in enumerate(problems):
         if reason:
