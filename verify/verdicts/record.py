@@ -75,7 +75,7 @@ def _differs(was: float | None, now: float | None) -> bool:
 
 
 def of_case(case: Case) -> tuple[FormulaVerdict, ...]:
-    """Recorded verdicts on the equations that a case contains, or that depend on its rows."""
+    """Recorded verdicts on equations that a case contains, or for which its rows are evidence."""
     names = {f"Eq. {number}" for number in equations(case)}
     return tuple(
         one for one in kept()

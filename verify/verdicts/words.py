@@ -110,7 +110,7 @@ def percent(value: float | None) -> str:
 
 
 def _studied(found: FormulaVerdict) -> str:
-    """Text of the ranges of all studies; if points are unsolved, of ranges within the limit."""
+    """Text of all studied ranges; with unsolved points, of the ranges within the largest limit."""
     if found.unsolved:
         return "; ".join(dict.fromkeys(_range(one) for one in _widest(found) if one.inside))
     over = dict.fromkeys((one.case, one.over) for one in found.ranges)

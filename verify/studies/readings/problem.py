@@ -12,11 +12,11 @@ class Problem:
     """A number of a paper that its formula does not give with the first reading.
 
     `reference` is the printed value or the erratum ("paper:id"). For an erratum of a formula,
-    `derived` is the result of an equilibrium or of the geometry in `unit`, with its certain digits;
-    the readings are then applied to the printed formula. `errata` are the identifiers of readings
-    in the ledger. Inputs that a paper chose are exact; inputs that it computed or measured have the
-    rounding errors `rounding`. If `parts` is given, the same readings must give the numbers of all
-    parts.
+    `derived` is the result in `unit`, with its certain digits, that follows from an equilibrium or
+    from the geometry; the readings are then applied to the printed formula. `errata` are the
+    identifiers of readings in the ledger. Inputs that the authors chose are exact; inputs that they
+    computed or measured have the rounding errors `rounding`. If `parts` is given, the same readings
+    must give the numbers of all parts.
     """
 
     reference: str

@@ -28,7 +28,7 @@ def length(name: str, symbol: str = "") -> list[Reading]:
 
 
 def angle(name: str, symbol: str = "") -> list[Reading]:
-    """Readings of an angle in rad: half, double, sine and tangent exchanged, deg taken as rad."""
+    """Readings of an angle in rad: half, double, sine and tangent exchanged, units exchanged."""
     s = symbol or name
     changes: dict[str, Callable[[float], float]] = {
         f"sin {s} instead of tan {s}": lambda a: math.atan(math.sin(a)),

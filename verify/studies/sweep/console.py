@@ -140,7 +140,7 @@ def _of_grid(plan: Plan, course: Course, at: str, verdict: str) -> Iterator[str]
 
 
 def _of_sample(plan: Plan, course: Course, at: str) -> Iterator[str]:
-    """Lines for one compared row over a sample: scatter of finite elements and error, causes."""
+    """Lines for one compared row over a sample: scatter of reference and error, with causes."""
     one = indices(plan, course)
     lost = f" ({counted(one.dropped, 'row')} of the sample left out: not solved)"
     yield f"{course.pair.name}{at}{lost if one.dropped else ''}"
@@ -162,7 +162,7 @@ def _of_sample(plan: Plan, course: Course, at: str) -> Iterator[str]:
 
 
 def _moments(scatter: Scatter, unit: str) -> str:
-    """Mean, standard deviation and quantiles as text, in digits that suit the deviation."""
+    """Mean, standard deviation and quantiles as text, to the second digit of the deviation."""
     size = units.factor(unit)
     mean, sd, low, median, high = (
         v / size for v in (scatter.mean, scatter.sd, scatter.low, scatter.median, scatter.high)

@@ -65,7 +65,7 @@ class Compared:
 
 
 def pairs(case: Case) -> tuple[Pair, ...]:
-    """All pairs of a case in the order of its rows, without rows for the paper's inputs only."""
+    """All pairs of a case in the order of its rows, except those for the paper's inputs only."""
     return tuple(
         Pair(
             name=claim.name, symbol=claim.symbol, unit=claim.unit, kind=claim.kind,
@@ -215,7 +215,7 @@ def _judged(
 
 
 def _index(grid: GridConvergence, v: Sequence[float]) -> float:
-    """Grid convergence index; without convergence three times the scatter, or inf if large."""
+    """Grid convergence index; without convergence, three times the scatter (inf if it is large)."""
     if grid.converges:
         return grid.gci
     scatter = 3 * (max(v[-LEVELS:]) - min(v[-LEVELS:]))

@@ -35,7 +35,7 @@ def record(found: Outcome, repeat: str) -> dict[str, Any]:
                  over the points: formula, fe, U in the unit; error, U_error as fractions;
                  problem; then validity (grid, star) or sensitivity (sample)
     validity     for each limit: numbers of points inside, outside, undecided, unsolved; box: low,
-                 high, whole by input; held: points of the box; base: values by input; nominal:
+                 high, whole by input; held: points in the box; base: values by input; nominal:
                  whether base is the point of the file; at_nominal: verdict at this point;
                  breaks: input, last, first, at, verdict, why of the first violation
     sensitivity  rows: complete rows of the sample; dropped: other rows; scatter of formula, fe and

@@ -157,7 +157,7 @@ def _of_grid(plan: Plan, found: Verdicts) -> tuple[tuple[Range, ...], int | None
 
 
 def _of_star(plan: Plan, found: Verdicts) -> tuple[tuple[Range, ...], int | None, int]:
-    """Longest range on each axis, None (no box with a middle), and number of points in ranges."""
+    """Longest range on each axis, None instead of a middle, and number of points in the ranges."""
     ranges, rows = [], set[int]()
     for line in lines(plan, 0):
         if box := largest_box(found[line.points] == INSIDE):
