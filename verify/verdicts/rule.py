@@ -20,7 +20,7 @@ class Point:
 
     @property
     def size(self) -> float:
-        """Absolute error plus uncertainty: the largest error that the uncertainty allows."""
+        """Size of the error plus uncertainty: the largest error that the uncertainty allows."""
         return abs(self.error) + self.U
 
 

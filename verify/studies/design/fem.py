@@ -14,7 +14,7 @@ from verify.studies.design.strip import HEAD_HELD, strip
 PER_ARC = (4, 8)  # elements of both meshes; the error falls with the fourth power
 SHARE = 1 / 3  # allowed error of the formula's stiffness, as a share of the margin of Eq. 11
 ROUNDING = 1e-9  # of a displacement
-STROKE = 1.1  # of the larger of U_w and Δ, up to which the spring is compressed
+STROKE = 1.1  # times the larger of U_w and Δ: largest computed displacement
 
 
 @dataclass(frozen=True)
@@ -100,7 +100,7 @@ def verified_by_fem(s: Springs, f: Formulas, i: int, q: Demands) -> Verified:
 def _stress(s: Springs, i: int, q: Demands, curve: Curve, U_w: float) -> float:
     """Bending stress [Pa] at the inside of an arc under F_w.
 
-    The couple computed at U_w is scaled by the ratio of F_w to the force at U_w.
+    The bending couple computed at U_w is scaled by the ratio of F_w to the force at U_w.
     """
     b, force = float(s.b[i]), curve.force(U_w)
     share = q.F_w / force if force > 0 else 1.0

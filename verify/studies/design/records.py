@@ -14,7 +14,7 @@ from verify.studies.design.outcome import Outcome
 from verify.studies.design.search import Search
 
 # name, unit; "" for numbers and words
-GEOMETRY = 5  # of the columns, which every candidate has
+GEOMETRY = 5  # number of columns with geometry, which every candidate has
 COLUMNS = (
     ("n", "1"), ("b", "mm"), ("L1", "mm"), ("r", "mm"), ("alpha", "deg"), ("L0", "mm"),
     ("U_w", "mm"), ("Delta", "mm"), ("f", "1"), ("k1", "N/mm"), ("k1_eqs_1_9", "N/mm"),

@@ -24,7 +24,7 @@ SWEPT = '# Varied parameters: a value, a list, or a range "first : last : number
 
 
 def template() -> str:
-    """Text of the template. If its commented lines are made active, it states the default task."""
+    """Text of the template. If its commented-out lines are active, it states the default task."""
     demanded = sections(Demands, ASSUMPTIONS[CASE], "this task's", also=("L_w",))
     swept = aligned([_line(sweep) for sweep in SWEEPS.values()])
     return f"{HEAD}{demanded}\n{SWEPT}\n{swept}"

@@ -7,7 +7,7 @@ from verify.studies.design_sprag.inputs import Task
 
 
 def corners(task: Task, crowns: Array) -> Array:
-    """Crowns (n, c, 3) at the corners of the tolerances of `crowns` (n, 3), nominal crowns first.
+    """Nominal `crowns` (n, 3), followed by the c - 1 corners of their tolerances, (n, c, 3).
 
     The drop tolerance scales the whole profile: K_1 and z_m are multiplied by 1 ± t_z/z_m. K_2 is
     limited to 1, because a crown cannot begin beyond mid-length.

@@ -7,7 +7,7 @@ import numpy as np
 from verify.core.figures import Array
 from verify.studies.design_sprag.inputs import Contacts
 
-SHARP = 3.0  # times its strip's pressure, which an end that carries counts
+SHARP = 3.0  # factor on the pressure of the strip at a loaded end
 
 
 @dataclass(frozen=True, eq=False)

@@ -22,7 +22,7 @@ from verify.studies.design_sprag.verified import Check, checks, ends_carry, unlo
 FLAT = 0.005  # of the objective: crowns within this range are equivalent
 SCATTERED, LINE = 3000, 201
 EDGE, BEYOND = 0.01, 0.10  # of a range: distance of an active bound; extension of the search
-GAIN = 0.001  # from which on a bound costs something
+GAIN = 0.001  # relative gain above which a bound is reported to raise the objective
 SHALLOWER = 0.95  # factor on z_m; if the ends are then loaded, the crown is close to edge loading
 MOST_JOBS = 2
 
@@ -73,7 +73,7 @@ class Outcome:
     together: Array  # (3, 2) of crowns within FLAT
     bounds: Sequence[Bound]
     checks: Sequence[Check]
-    free_from: float | None  # z_m [m] that unloads ends which carry
+    free_from: float | None  # smallest z_m [m] that unloads loaded ends
     on_edge: bool  # whether unloaded ends would be loaded at SHALLOWER z_m
 
     @property

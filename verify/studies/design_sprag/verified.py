@@ -16,7 +16,7 @@ from verify.studies.design_sprag.model import Model
 
 CELLS = ((48, 256), (64, 512))  # across and along; the second mesh gives the result
 LIMIT = 0.02  # allowed error of the pressures by which a crown is chosen
-DEEPEST = 10.0  # times z_m, up to which one that unloads the ends is searched
+DEEPEST = 10.0  # times z_m: largest drop in the search for unloaded ends
 STEPS = 33  # of that, 7.5 % each
 NARROW = CELLS[1][1] + 1  # strips about as narrow as the half-space's cells
 
@@ -27,7 +27,7 @@ class Check:
 
     `which` is "nominal" for the nominal crown or "worst" for the worst crown within the tolerance.
     `twice` is the pressure by twice the number of slices, `coarse` that of the half-space with
-    fewer cells. `end` is the pressure at the last cell of the half-space.
+    fewer cells.
     """
 
     which: str

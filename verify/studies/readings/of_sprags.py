@@ -122,7 +122,7 @@ def _raised_readings(kind: str) -> tuple[Reading, ...]:
 
 
 def lever(q: Mapping[str, Any]) -> float:
-    """Lever arm [mm] by the bracket of Eq. 16 without deflections."""
+    """Lever arm [mm] by the bracketed term of Eq. 16, without deflections."""
     return float(q["share"] * q[q["radius"]])
 
 

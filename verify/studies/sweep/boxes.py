@@ -66,10 +66,10 @@ def _grown(inside: Flags) -> Box:
 
 
 def _deepest(inside: Flags) -> Sequence[int]:
-    """Indices of the point that is most distant from points outside.
+    """Indices of the point that is most distant from points where `inside` is False.
 
-    The edge of the grid does not count as outside. Outer layers are removed repeatedly as long as
-    points remain.
+    The edge of the grid does not count as such a point. Outer layers are removed repeatedly as long
+    as points remain.
     """
     left = inside
     while True:

@@ -105,7 +105,7 @@ def worst(found: Outcome) -> list[Course]:
 
 
 def _percent(share: float) -> str:
-    """`share` in whole percent as text; "100 %" only for all, empty for NaN."""
+    """`share` in whole percent as text; "100 %" only for exactly 1, empty for NaN."""
     if math.isnan(share):
         return ""
     return f"{min(100 * share, 99) if share < 1 else 100:.0f} %"
