@@ -127,7 +127,7 @@ def _described(head: FormulaVerdict, found: Evidence) -> FormulaVerdict:
 
 
 def _weight(point: Point, head: FormulaVerdict) -> tuple[float, float]:
-    """Sorting key: error on the unsafe side (0 if not unsafe), then size of the error."""
+    """Sorting key: error on the unsafe side (0 unless the formula is unsafe), then error size."""
     is_unsafe = head.verdict is Verdict.UNSAFE
     return on_unsafe_side([point], head.safe) if is_unsafe else 0.0, point.size
 

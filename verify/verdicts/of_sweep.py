@@ -46,7 +46,7 @@ def verdict_in_words(plan: Plan, course: Course) -> str:
 
 
 def _nominal(plan: Plan) -> int | None:
-    """Number of the point with the nominal inputs; None if the sweep does not contain them."""
+    """Index of the point with the nominal inputs; None if the sweep does not contain them."""
     found = nominal_point(plan)
     if found is None:
         return None

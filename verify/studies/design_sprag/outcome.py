@@ -98,7 +98,7 @@ class Outcome:
 
     @property
     def exceeded(self) -> Sequence[float]:
-        """Torques [N m] at which the chosen crown, with its tolerance, exceeds p_lim."""
+        """Torques [N m] at which the chosen crown has pressures over p_lim within its tolerance."""
         limit = self.task.wishes.p_lim
         p = np.maximum(self.pressures, self.largest(self.chosen).max(axis=0))
         return [T for T, x in zip(self.task.torques, p, strict=True) if limit and x > limit]

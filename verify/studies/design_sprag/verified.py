@@ -62,7 +62,7 @@ class Check:
 
     @property
     def mid_off(self) -> float:
-        """Relative difference of the contact model's pressure at mid-length from the half-space."""
+        """Relative difference of the contact model from the half-space, pressure at mid-length."""
         p = self.strips if self.contacts == "strips" else self.slices
         n = len(p)
         mid = np.sqrt((p[(n - 1) // 2] ** 2 + p[n // 2] ** 2) / 2)

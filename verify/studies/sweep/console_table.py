@@ -98,7 +98,7 @@ def _inside(plan: Plan, course: Course) -> Sequence[tuple[float, float]]:
 
 
 def worst(found: Outcome) -> list[Course]:
-    """Results of all rows in descending order of the largest error; rows without an error last."""
+    """Results of all rows in descending order of the largest error; rows without a value last."""
     sizes = {id(c): -1.0 if (n := largest(c)) is None else abs(float(c.error[n]))
              for c in found.courses}  # fmt: skip
     return sorted(found.courses, key=lambda c: -sizes[id(c)])

@@ -52,8 +52,8 @@ class Pair:
 class Compared:
     """One pair at one point [SI]: formula, finite elements, and their expanded uncertainty.
 
-    `error` is (formula - FE)/scale, and `U_error` its expanded uncertainty. If there is no error,
-    `problem` states the reason.
+    `error` is (formula - FE)/scale, and `U_error` its expanded uncertainty. If no error was
+    computed, `problem` states the reason.
     """
 
     formula: float

@@ -42,7 +42,7 @@ def reasons(found: Outcome) -> tuple[str, ...]:
 
 
 def largest(course: Course) -> int | None:
-    """Number of the point with the largest error; None if no point has an error.
+    """Index of the point with the largest error; None if no error was computed.
 
     Of several points with equal errors, the first is returned.
     """
