@@ -1,7 +1,7 @@
 """Plots of solutions with matplotlib, which is imported when a plot is drawn.
 
-`plot` is a function, not a method, because the code of solution classes determines which stored
-results are valid.
+`plot` is a function, not a method: stored results become invalid if the code of a solution class
+changes, and a change of a plot must not have this effect.
 """
 
 from collections.abc import Callable
@@ -33,7 +33,7 @@ def plot(
       "pressure" of a contact solution is the contact pressure along each slave surface
     - frames: undeformed nodes, and nodes with displacements times `scale`, connected if `elements`
       (m, 2 or 3) are given
-    - a compressed line (`Curve`): force [N] over displacement [m]
+    - a line of units under compression (`Curve`): force [N] over displacement [m]
     - modes: displacements across the axis over the node; a Campbell diagram: frequencies over
       speed [rad/s]; a response: the largest amplitude [m] of `node` over speed [rad/s]
 

@@ -1,4 +1,4 @@
-"""States of a roller in a wedge: after removal of the pressing force, and at limiting friction."""
+"""States of a roller in a wedge: during removal of the pressing force, and at limiting friction."""
 
 import math
 from collections.abc import Callable
@@ -17,10 +17,11 @@ HELD = 0.9  # relative to N: below this share, the roller is expelled
 
 
 def let_go(wedge: Wedge, N: float, *, mu: float) -> tuple[Array, Array]:
-    """Ratios T/(mu N) and (c/a)² (m,) of a roller while its pressing force is removed.
+    """Ratios T/(mu N) and (c/a)² (m,) of a roller while the force that presses it is reduced.
 
-    N is constant; T increases as the force at the middle of the roller decreases. Before that, the
-    roller is pressed without friction: the force at its middle alone balances the normal force.
+    This force acts at the middle of the roller. Initially, there is no friction, and the force
+    alone balances the normal forces N. It is then reduced in m steps; N is constant and T
+    increases.
     """
     half = wedge.geometry.half
     push = N * math.sin(half)
@@ -56,7 +57,7 @@ def slipping(touch: Touch) -> float:
 
 
 def uneven(touch: Touch, slope: float) -> float:
-    """Relative L2 norm of the difference of the traction and `slope` times the pressure."""
+    """L2 norm of (traction - `slope` x pressure), divided by the norm of (`slope` x pressure)."""
     wanted = slope * touch.p
     return float(np.sqrt(((touch.q - wanted) ** 2 @ touch.weight) / (wanted**2 @ touch.weight)))
 
@@ -65,7 +66,7 @@ def least_friction(left: Callable[[float], float], share: float) -> tuple[float,
     """Lowest friction coefficient that holds a roller, and its uncertainty, by bisection.
 
     `left` returns the remaining share of the normal force for a friction coefficient: nearly one,
-    or nearly zero. The first bracket is about `share`, the ratio T/N that friction must transmit.
+    or nearly zero. The first bracket encloses `share`, the ratio T/N that friction must transmit.
     The uncertainty is half the width of the last bracket. The result is NaN if the roller is held
     at both ends of the bracket, or at neither end.
 

@@ -1,4 +1,4 @@
-"""Plane in which a mode of a body of revolution bends, with both halves of the section."""
+"""Section of a body of revolution in the plane in which a mode bends, on both sides of the axis."""
 
 from typing import NamedTuple
 
@@ -15,7 +15,7 @@ CUT = 0.98  # relative to the volume, whose stress a picture's colours span
 class BendingPlane(NamedTuple):
     """Bent section as a mesh with displacements and axial stresses.
 
-    `points` (n, 2) are coordinates along and across the axis, `cells` (m, 4) node numbers. The
+    `points` (n, 2) are coordinates along and across the axis, `cells` (m, 4) are node numbers. The
     largest component of `displacement` (n, 2) is 1. `stress` (m,) of the cells is divided by the
     magnitude that a share CUT of the volume does not exceed, and is limited to this magnitude.
     """

@@ -2,8 +2,8 @@
 
 A cylindrical surface (rim or bore) carries tractions cos(n t) into the body, or sin(n t) around the
 axis, on one of several cells along z. The displacements in these directions, multiplied by cos(n t)
-or sin(n t) and integrated over each cell and one radian, are the symmetric matrix G_n. n G_n has a
-limit for large n and is smooth in ln n; therefore, only a few harmonics are solved.
+or sin(n t) and integrated over each cell and one radian, are the symmetric matrix G_n. The product
+n G_n has a limit for large n and is smooth in ln n; therefore, only a few harmonics are solved.
 """
 
 from collections.abc import Iterator, Sequence
@@ -27,10 +27,10 @@ ENOUGH = 60.0  # harmonic times the narrowest cell's angle, beyond which the sum
 class SurfaceCompliance:
     """Compliance `G` (orders, 2, cells, 2, cells) [length^4/force] for the harmonics `orders`.
 
-    Its directions are into the body and around the axis. The cells lie between `stations` (cells +
-    1,) in z on a surface with the `curvature` 1/R, negative for a bore. Loads are repeated at
-    `places` positions on the circumference; all harmonics are multiples of this number. `softness`
-    is (1 - nu^2)/E of the surface [1/stress].
+    Axes of length 2 are the directions into the body and around the axis. The cells lie between
+    `stations` (cells + 1,) in z on a surface with the `curvature` 1/R, negative for a bore. Loads
+    are repeated at `places` positions on the circumference; all harmonics are multiples of this
+    number. `softness` is (1 - nu^2)/E of the surface [1/stress].
     """
 
     curvature: float
@@ -52,12 +52,12 @@ class SurfaceCompliance:
     def between(self, across: Array, tilt: float) -> Array:
         """Compliance matrix (M, M, cells, cells) of a patch: integrals of displacements over cells.
 
-        Unknowns are pressures on |s| in M cells between the rising arc lengths `across` (M + 1,),
-        from 0. Pressures act along the contact normal, which is inclined to the surface normal by
-        `tilt` s [rad] towards s = 0; displacements are components along the contact normal. Entry
-        [k, l, i, j] is the integral of the displacement over the cell (k, i) and its mirror image
-        in s. The pressure 1 acts on the cell (l, j), its mirror image, and their repetitions at the
-        other positions.
+        Unknowns are uniform pressures on cells in |s| and z. The M cells in |s| lie between the
+        increasing arc lengths `across` (M + 1,), which begin with 0. Pressures act along the
+        contact normal, which is inclined to the surface normal by `tilt` s [rad] towards s = 0;
+        displacements are components along the contact normal. Entry [k, l, i, j] is the integral of
+        the displacement over the cell (k, i) and its mirror image in s. The pressure 1 acts on the
+        cell (l, j), its mirror image, and their repetitions at the other positions.
         """
         angle = np.asarray(across, float) / self.radius
         M = angle.size - 1
@@ -130,10 +130,11 @@ def _by_cells(n: int, work: Array) -> Array:
 
 
 def _waves(angle: Array, n: Indices, tilt: float) -> Array:
-    """Integrals (2, cells, orders) of (1 - l^2) cos(n t) and l sin(n t).
+    """Integrals (2, cells, orders) of (1 - l^2) cos(n t) and l sin(n t) over cells in t.
 
-    l = tilt t is the inclination. The factors approximate cos^2 l and sin l cos l: the components
-    of a pressure on the length cos l dt normal to it. Cells and their mirror images are combined.
+    l = tilt t is the inclination of the contact normal. 1 - l^2 and l approximate cos^2 l and
+    sin l cos l: the components, inwards and around the axis, of a unit pressure along this normal
+    on the length cos l dt. Each integral includes the mirror image of the cell.
     """
     t, m = angle[:, None], np.maximum(n, 1)
     sine, cosine = np.sin(n * t) / m, np.cos(n * t) / m

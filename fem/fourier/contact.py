@@ -66,7 +66,7 @@ class PatchContact:
 
     @property
     def half_width(self) -> Array:
-        """Half-width (cells,) of an elliptic pressure with the same line load and second moment."""
+        """Half-width (cells,) of an elliptic pressure with the line load and second moment of p."""
         moment = 2 * np.diff(self.across**3) / 3 @ self.p
         q = np.where(self.line_load > 0, self.line_load, np.inf)
         return np.asarray(2 * np.sqrt(moment / q))
@@ -90,8 +90,8 @@ def patch_contact(
 ) -> PatchContact:
     """Contact of `bodies` under `load` [force] on the modelled length.
 
-    The undeformed gap is that between their circles, R - R cos(s/R) for a rim and minus this for a
-    bore, plus `crown` (z). Raises ValueError if stations or places of the bodies differ, or if
+    The undeformed gap is the sum of the depths R - R cos(s/R) of both circles, with R < 0 for a
+    bore, plus `crown`(z). Raises ValueError if stations or places of the bodies differ, or if
     their surfaces do not curve away from each other; NarrowPatchError if the contact is as wide as
     the patch.
     """
@@ -125,7 +125,7 @@ def patch_contact(
 
 
 def _between(body: SurfaceCompliance, across: Array, tilt: float) -> Array:
-    """Result of `body.between`, stored for other crowns and other bodies."""
+    """Result of `body.between`, cached for later contacts of this body with another crown."""
     key = (body.places, np.array([body.curvature, tilt]), across, body.orders, body.G)
     return PATCHES.get(key, lambda: body.between(across, tilt), lambda found: found.size)
 
@@ -154,7 +154,7 @@ def _check(
     same = first.stations.shape == second.stations.shape
     if not same or np.ptp(first.stations - second.stations) > SAME * np.ptp(first.stations):
         raise ValueError(
-            "both bodies must have the same stations along z, except for a common shift"
+            "both bodies must have the same stations along z; only a uniform shift is permitted"
         )
     return across
 

@@ -36,7 +36,7 @@ class FourierSolid:
     `materials` is one material, or one for each body in `mesh.subdomains`. `supports` states, for
     each boundary, the components "r", "t", "z" that are zero in every harmonic. `degree` of the
     displacements is 1 or 2, by default the degree of the mesh. Raises ValueError for unknown names,
-    and for cells without material, with nu > 0.45, folded, or across the axis.
+    and for cells that have no material or nu > 0.45, are folded, or cross the axis.
     """
 
     mesh: Mesh2D
@@ -105,8 +105,9 @@ class FourierSolid:
         """Work f_i . u_j (k, k) of each load f_i on the displacements u_j that the load f_j causes.
 
         The loads are the columns of `f` (unknowns, k). The method is intended for forces on few
-        unknowns, such as pressures on one surface: these unknowns are eliminated last, and all
-        others are only factorised. The harmonics are symmetric; errors are those of `harmonic`.
+        unknowns, such as pressures on one surface: these unknowns are eliminated last, and the
+        displacements of all others are not computed. The harmonics are symmetric. For
+        exceptions, see `harmonic`.
         """
         return next(self.flexibilities((n,), f))
 

@@ -1,8 +1,8 @@
 """Supports of one harmonic: on named boundaries and on the axis; check of rigid motions.
 
 At r = 0, a displacement must not depend on the angle. Therefore n = 0 permits only W at the axis
-(antisymmetric: nothing), n = 1 permits U = -V (antisymmetric: U = V), and higher harmonics are
-zero.
+(antisymmetric: nothing), n = 1 permits U = -V (antisymmetric: U = V), and higher harmonics permit
+no displacement.
 """
 
 from collections.abc import Mapping
@@ -50,7 +50,7 @@ def check_components(supports: Mapping[str, str]) -> None:
 def free_unknowns(
     basis: Basis, supports: Mapping[str, str], n: int, antisymmetric: bool, place: Indices
 ) -> csr_array:
-    """Matrix T (unknowns, free) of u = T q; q has the order `place` (unknowns,) of elimination."""
+    """Matrix T (unknowns, free) of u = T q; q has the order of elimination `place` (unknowns,)."""
     fixed = np.zeros(basis.N, bool)
     for name, components in supports.items():
         dofs = boundary_dofs(basis, name)
@@ -81,8 +81,8 @@ def free_unknowns(
 def rigid_motions(basis: Basis, n: int, antisymmetric: bool) -> Array:
     """Amplitudes (unknowns, k) of the k rigid motions in harmonic n; k = 0 for n >= 2.
 
-    n = 0: a shift along z, or (antisymmetric) a rotation by 1/length about z. n = 1: a shift along
-    x and the rotation (z, 0, -x) about y; antisymmetric: a shift along y and the rotation (0, -z,
+    n = 0: a shift along z, or (antisymmetric) the rotation V = r about z. n = 1: a shift along x
+    and the rotation (z, 0, -x) about y; antisymmetric: a shift along y and the rotation (0, -z,
     y) about x.
     """
     U, V, W = node_dofs(basis)

@@ -14,9 +14,10 @@ def push_together(A: Array, gap: Array, area: Array, load: float) -> tuple[Array
     """Contact pressures (n,) of n cells, and the approach of the bodies, under the total `load`.
 
     `gap` (n,) and `area` (n,) are the initial gaps and the areas of the cells. A p + area (gap -
-    approach) is 0 if p > 0, otherwise positive; area . p = load. `A` (n, n) is symmetric and
-    positive definite. Initially all cells are in contact. Cells in tension are removed and
-    overlapping cells are added until neither occurs. Raises ArithmeticError if this does not end.
+    approach) is 0 if p > 0, otherwise not negative; area . p = load. The compliance matrix `A` (n,
+    n) is symmetric and positive definite. Initially all cells are in contact. Cells in tension are
+    removed and overlapping cells are added until there are no such cells. Raises ArithmeticError if
+    this iteration does not converge.
     """
     touching: NDArray[np.bool_] = np.ones(gap.size, bool)
     for _ in range(MAX_CHANGES):

@@ -3,10 +3,11 @@
 solid = FourierSolid(mesh, Elastic(E=210e9, nu=0.3))
 found = RotatingSolid(solid, 7850.0, springs=(Mount(boundary="rim", k=1e8),)).modes(1000.0)
 
-The equations are those of harmonic n with amplitudes u = (U, V, W) at the speed W and the angular
-frequency w. w > 0 is a forward wave, in the sense of W > 0:
+The equations are those of harmonic n with amplitudes u = (U, V, W) at the speed Omega and the
+angular frequency w. A wave with w > 0 is a forward wave, in the sense of Omega > 0:
 
-    K u + w W G u - w^2 M u = 0,    and with  y = w u    diag(K, M) x = w [[-W G, M], [M, 0]] x.
+    K u + w Omega G u - w^2 M u = 0,    and with x = (u, w u)
+    diag(K, M) x = w [[-Omega G, M], [M, 0]] x.
 
 The second form is symmetric, with a positive definite left side. It requires only the factors of K
 at any speed. Lanczos' method finds the largest 1/w of both signs.
@@ -38,7 +39,7 @@ from fem.rotor.splitting import Whirl, gyroscopic_splitting
 
 RESIDUAL_LIMIT = 1e-5  # relative to a mode, in the energy's norm: its frequency errs by the square
 TOLERANCE = 1e-12  # Lanczos', of 1/w
-NO_SPEED = 1e-12  # 1/W^2 of the lowest speed: below, roots are zero but for round-off
+NO_SPEED = 1e-12  # 1/Omega^2 of the lowest speed: below, roots are zero but for round-off
 SEED = 1
 
 
@@ -65,7 +66,7 @@ class RotatingSolid:
 
     Density and ratio are one value for all bodies, or one for each body of the mesh. Springs and
     discs belong to harmonic n = 1. Raises ValueError for a density that is not positive, n < 1,
-    springs or discs with other harmonics, and bodies that can move rigidly.
+    springs or discs if n is not 1, and bodies that can move rigidly.
     """
 
     solid: FourierSolid
@@ -164,11 +165,11 @@ class RotatingSolid:
         return WhirlModes(speed, ahead.w, behind.w, forward, backward, splitting)
 
     def critical_speeds(self, count: int = 2, *, excitation: float = 1.0) -> tuple[Array, Array]:
-        """Lowest speeds W (found,) at which `excitation` W is a natural frequency, and mode shapes.
+        """Lowest speeds Omega (found,), `excitation` Omega being a natural frequency, and shapes.
 
         There are fewer than `count` speeds if gyroscopic forces prevent some modes from having a
-        critical speed: only positive roots of (e^2 M - e G) u = K u/W^2 are speeds. A negative
-        `excitation` gives backward modes.
+        critical speed: only positive roots 1/Omega^2 of (e^2 M - e G) u = K u/Omega^2 belong to
+        speeds, with e = `excitation`. A negative `excitation` gives backward modes.
         """
         e, size = excitation, self.K.shape[0]
         B = csr_array(e**2 * self.M - e * self.G)
@@ -192,7 +193,7 @@ class RotatingSolid:
         return csr_array(self.T.T @ whole @ self.T)
 
     def _check(self, w: Array, q: Array, residual: Array) -> None:
-        """Raise ArithmeticError if the residual of modes of unit mass exceeds its limit."""
+        """Raise ArithmeticError if the residual of modes of unit modal mass exceeds its limit."""
         missed = abs((residual * self.factor.solve(residual)).sum(axis=0))
         error = np.sqrt(missed / ((q * (self.K @ q)).sum(axis=0) + w**2))
         if not np.all(error < RESIDUAL_LIMIT):

@@ -14,8 +14,8 @@ from fem.plane.discretisation import Array
 def check_held_or_sprung(basis: Basis, T: csr_array, n: int, pulls: Sequence[Array]) -> None:
     """Raise ValueError if no force resists a rigid motion of the bodies in harmonic n.
 
-    u = T q are the supported displacements. `pulls` are vectors (free,), one for each stiffness of
-    the springs; the energy of a spring is half of the square of its product with q.
+    u = T q are the supported displacements. `pulls` are vectors c (free,), one for each stiffness
+    of a spring, so that its energy is (c . q)^2/2.
     """
     motions = _of_bodies(basis, n)
     if not motions.shape[1]:

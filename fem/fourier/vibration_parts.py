@@ -1,12 +1,12 @@
 """Inertia and gyroscopic forces of a rotating body of revolution, and motions of its boundaries.
 
-A body rotates about its axis at the speed W. With fixed axes, a displacement with the amplitudes u
-= (U, -iV, W) exp i(n t - w s), where t is the angle and s the time, is carried along by the
-rotation. The rate of a particle's displacement is D = -iw + W (d/dt + J), where J rotates (u_r,
-u_t) into (-u_t, u_r). Therefore
+A body rotates about its axis at the speed Omega. With respect to fixed axes, its displacement is
+u = (U, -iV, W) exp i(n t - w s), where t is the angle and s the time. Because the particles rotate,
+the rate of a particle's displacement is D = -iw + Omega (d/dt + J), where J rotates (u_r,
+u_t) into (-u_t, u_r). This gives
 
-    D = -i (w - W (n + P)),  P = [[0, 1, 0], [1, 0, 0], [0, 0, 0]] on (U, V, W),
-    -D^2 = w^2 - 2 w W (n + P) + W^2 (n + P)^2.
+    D = -i (w - Omega (n + P)),  P = [[0, 1, 0], [1, 0, 0], [0, 0, 0]] on (U, V, W),
+    -D^2 = w^2 - 2 w Omega (n + P) + Omega^2 (n + P)^2.
 
 The first two terms are M and G below. The third term is omitted, and so is the stiffness due to the
 centrifugal stress; both cancel for a rigid rotation.
@@ -69,7 +69,7 @@ def mass_matrix(
 def gyroscopic_form(n: int) -> Array:
     """Argument `form` (3, 3) with which `mass_matrix` gives the gyroscopic matrix: 2 (n I + P).
 
-    The density is then multiplied by the speed. P exchanges U and V and has no entry for W.
+    The argument `density` is then density times speed. P exchanges U and V and has no entry for W.
     """
     return 2 * (n * np.eye(3) + SWAP)
 
@@ -77,10 +77,10 @@ def gyroscopic_form(n: int) -> Array:
 def mean_motion(basis: Basis, boundary: str) -> Array:
     """Vectors (unknowns, 2) whose products with u are the lateral shift and tilt of `boundary`.
 
-    u is a displacement in harmonic 1. Shift and tilt belong to the rigid motion about the centre of
-    the boundary that is nearest to u in the mean square over its area: a displacement along x and a
-    rotation about y [rad], from the amplitudes (U, V, W). Raises ValueError for an unknown
-    boundary, or a boundary on the axis.
+    u is a displacement in harmonic 1, with the amplitudes (U, V, W). Shift and tilt are a
+    displacement along x and a rotation about y [rad] at the centre of the boundary. They are the
+    least-squares fit of a rigid motion to u over the area of the boundary. Raises ValueError for an
+    unknown boundary, or a boundary on the axis.
     """
     facets = named_facets(basis.mesh, boundary)
     if not has_area(basis.mesh, facets):

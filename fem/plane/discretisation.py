@@ -124,7 +124,7 @@ def outer_facets(mesh: Mesh2D, name: str) -> Indices:
     if np.any(mesh.f2t[1, facets] >= 0):
         raise ValueError(
             f"boundary {name!r} lies inside the mesh and has no outward normal: "
-            "use components x and y of supports, and tractions as loads"
+            "use x and y as components of supports, and tractions as loads"
         )
     return facets
 

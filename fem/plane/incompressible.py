@@ -1,4 +1,4 @@
-"""Nearly incompressible materials: limit of standard elements, and the triangle for mixed elements.
+"""Nearly incompressible materials: limit of nu for standard elements; triangle for mixed elements.
 
 Above this limit, standard elements of degree 2 still give correct displacements. However, their
 volumetric stress lambda div u oscillates about the exact stress; the amplitude increases with
@@ -40,7 +40,7 @@ def refuse(mesh: Mesh2D, lam: Array, mu: Array, reason: str) -> None:
 
 
 class ElementTriP2Plus(ElementTriP2):
-    """Quadratic triangle with a seventh node at its centre, for Crouzeix and Raviart's pair.
+    """Quadratic triangle with a seventh node at its centre: Crouzeix and Raviart's displacements.
 
     Together with discontinuous linear pressures, it satisfies the inf-sup condition. The six-node
     triangle does not satisfy it.

@@ -26,9 +26,9 @@ def locate(mesh: Mesh2D, points: Array) -> tuple[Indices, Array]:
     """Cell (m,) and reference coordinates (2, m) of each of the `points` (2, m).
 
     A point on an edge, or in overlapping bodies, is always assigned to the same cell. A point
-    outside by less than `INSIDE` x cell size is accepted; this covers the gap between a circle and
-    parabolas, but not the gap between parabolas and other curves. Raises ValueError for the first
-    point that is in no cell, with its distance from the boundary.
+    outside the mesh by less than `INSIDE` times the cell size is accepted. This margin covers
+    circles approximated by parabolas, but not other approximated curves. Raises ValueError for the
+    first point that is in no cell, with its distance from the boundary.
     """
     nodes = mesh.doflocs[:, np.asarray(mesh.dofs.element_dofs)]
     low, high = nodes.min(axis=1), nodes.max(axis=1)

@@ -7,8 +7,8 @@ cell and discontinuous between cells. It is eliminated in each cell as the proje
 
 for psi = 1, x, y. The condensed matrix is symmetric and positive definite. Two pairs of elements
 satisfy the inf-sup condition: Q2 with pressures linear in x, y (pressures linear in the reference
-coordinates would lose an order in distorted cells), and the seven-node triangle (Crouzeix and
-Raviart 1973; Boffi, Brezzi and Fortin 2013, sec. 8.6).
+coordinates would lose an order of convergence in distorted cells), and the seven-node triangle
+(Crouzeix and Raviart 1973; Boffi, Brezzi and Fortin 2013, sec. 8.6).
 """
 
 from dataclasses import dataclass, replace

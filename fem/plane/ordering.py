@@ -31,7 +31,7 @@ def nested_dissection(basis: Basis) -> Indices:
 
 
 def _halves(basis: Basis) -> tuple[Indices, int]:
-    """Path (cells,) of every cell through the halvings, one bit each, and number of halvings."""
+    """Halves that contain each cell, as bits of an integer (cells,), and number of halvings."""
     mesh = basis.mesh
     cells = mesh.nelements
     x, y = mesh.p[:, mesh.t].mean(axis=1)

@@ -19,9 +19,9 @@ def solve_under_patch(
     """Solution of the body under half of the line load P [force/length] on its boundary "patch".
 
     The patch extends from the x axis along the arc of `radius` about the origin to the half-width a
-    [length]. The other half of the load acts on the other side of the axis. With equal cells, the
-    square-root end of the pressure causes an integration error of order 3/2, 1e-5 of the load. The
-    result is therefore scaled to the load P/2.
+    [length]. The other half of the load acts on the other side of the axis. At its
+    end, the pressure falls to zero as a square root. With equal cells, this causes an integration
+    error of order 3/2, about 1e-5 of the load. The result is therefore scaled to the load P/2.
     """
     peak = 2 * P / (np.pi * a)
 
@@ -41,8 +41,7 @@ def solve_under_patch(
 def polar_nodes(body: PlaneSolution, name: str) -> Array:
     """Angle [rad], u_r and u_theta [length] (3, m) of the nodes on `name`, sorted by angle.
 
-    The nodes are sorted by angle. The polar coordinates are about the origin. The cells must be
-    quadratic.
+    The polar coordinates are about the origin. The cells must be quadratic.
     """
     mesh, basis = body.basis.mesh, body.basis
     facets = mesh.boundaries[name]

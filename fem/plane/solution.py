@@ -80,9 +80,9 @@ class PlaneSolution:
     def potential_energy(self) -> float:
         """Strain energy minus the work of the loads, f . u [force x length].
 
-        It is stationary at the solution: an error of u has a squared effect. Under loads without
-        prescribed displacements, it is minus half the work of the loads; the compliance is then -2
-        x potential energy / force^2.
+        It is stationary at the solution: its error is of second order in the error of u. Under
+        loads without prescribed displacements, it is minus half the work of the loads; the
+        compliance is then -2 x potential energy / force^2.
         """
         return self.strain_energy - float(self.f @ self.u)
 
@@ -106,7 +106,7 @@ class PlaneSolution:
         return x, y
 
     def mean_reaction(self, boundary: str) -> dict[str, float]:
-        """Force (x, y) and moment (r, about `Mean.about`) that cause mean motions of `boundary`."""
+        """Force (x, y) and moment (r, about `Mean.about`) of the prescribed means of `boundary`."""
         means = {} if self.held is None else self.held.means
         if self.held is None or boundary not in means:
             known = ", ".join(means) or "none"

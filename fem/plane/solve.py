@@ -73,7 +73,8 @@ def solve_plane(
     tractions
         For each boundary name, the traction [stress]: two numbers, or f(x) of shape (2, ...).
     forces
-        For each boundary name, the total uniform force [force]; not radial if axisymmetric.
+        For each boundary name, the total force [force], distributed uniformly; if axisymmetric,
+        its radial component must be zero.
     body_forces
         Force per volume on all bodies, or by body: two numbers, or f(x) of shape (2, ...).
     point_forces, anchors

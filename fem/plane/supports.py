@@ -60,8 +60,9 @@ class Conditions:
     def by_node(self) -> tuple[Indices, Indices, Array]:
         """Indices, unknowns and directions of the conditions of each node.
 
-        Indices (nodes, c) of the conditions, with -1 if a node has fewer than c conditions (c >=
-        2). Unknowns (2, nodes) of the nodes. Directions (nodes, c, 2), zero without a condition.
+        The results are indices (nodes, c), unknowns (2, nodes) and directions (nodes, c, 2). c is
+        the largest number of conditions at a node, and at least 2. At nodes with fewer
+        conditions, the remaining indices are -1 and the directions are zero.
         """
         node, first, group = np.unique(self.dofs[0], return_index=True, return_inverse=True)
         order = np.argsort(group, kind="stable")
@@ -167,8 +168,8 @@ def free_directions(
 ) -> tuple[csr_array, Array]:
     """Matrix T (unknowns, free) with orthonormal columns and u0 (unknowns,) of u = T q + u0.
 
-    The free unknowns q have the order of their nodes in `place` (unknowns,). The unknowns `led` are
-    omitted; their rows are zero.
+    The free unknowns q have the order of their nodes in `place` (unknowns,). The unknowns `led` of
+    followers are omitted; their rows of T are zero.
     """
     number, dofs, direction = conditions.by_node()
     value = (

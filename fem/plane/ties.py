@@ -180,7 +180,7 @@ def tied(basis: Basis, ties: Sequence[Tie], *, turn: bool = False) -> Tied:
 
 
 def _root(follows: Follows, node: int) -> tuple[int, Move]:
-    """Node at the end of the chain that `node` follows, and the motion from that node."""
+    """Last leader in the chain of leaders of `node`, and the motion from this leader to `node`."""
     move = Move()
     while node in follows:
         node, last = follows[node]

@@ -13,10 +13,11 @@ from fem.plane.geometry import Array, Indices, jacobians, shapes_in
 class Trace(FacetBasis):
     """Basis of the cells on one `side` of `facets`, evaluated at the facet parameters `X` (1, q).
 
-    It has the content of scikit-fem's class, with two differences. First, the position of a point
-    of a facet in the cell is calculated from their common corners. scikit-fem inverts the curved
-    map by Newton's method to 1e-12 of a cell; round-off makes this impossible if cells are small
-    relative to their distance from the origin. Second, shape functions are evaluated on demand.
+    It has the content of scikit-fem's class, with two differences. First, the reference coordinates
+    of a point of a facet are calculated from the corners of the facet. scikit-fem inverts the
+    curved map by Newton's method to 1e-12 of a cell; round-off makes this impossible if cells are
+    small relative to their distance from the origin. Second, shape functions are evaluated on
+    demand.
     """
 
     def __init__(self, basis: Basis, facets: Indices, side: int, X: Array, W: Array) -> None:
@@ -95,7 +96,7 @@ def _ends(mesh: Mesh2D, facets: Indices, cells: Indices) -> Array:
 
 
 def _outward(mesh: Mesh2D, facets: Indices, cells: Indices) -> Array:
-    """Sign (m,): 1 if the cell of a facet is on the left along its parameter, otherwise -1."""
+    """Sign (m,): 1 if a cell is on the left of its facet, seen from start to end, otherwise -1."""
     a, b = _ends(mesh, facets, cells)
     middle = mesh.elem.refdom.p.mean(axis=1, keepdims=True)
     (x, y), (u, v) = b - a, (a + b) / 2 - middle

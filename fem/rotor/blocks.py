@@ -80,7 +80,7 @@ class Block:
 
 
 def rigid_motions(K: NDArray[np.inexact]) -> NDArray[np.inexact]:
-    """Motions (n, k) without stiffness."""
+    """Motions v (n, k) without elastic forces: K v = 0."""
     d = np.sqrt(abs(np.diag(K)))
     d[d == 0] = 1
     _, sizes, v = np.linalg.svd(K / np.outer(d, d))

@@ -35,7 +35,7 @@ def check_speeds(speeds: ArrayLike) -> Array:
     """Speeds (m,) as an array. Raises ValueError unless all speeds are finite numbers."""
     given = np.atleast_1d(np.asarray(speeds, float))
     if given.ndim != 1 or not given.size or not np.all(np.isfinite(given)):
-        raise ValueError("speeds must be a row of finite numbers in rad/s")
+        raise ValueError("speeds must be one or more finite numbers in rad/s, in one dimension")
     return given
 
 

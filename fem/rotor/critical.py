@@ -1,8 +1,8 @@
 """Critical speeds without a Campbell diagram, from omega = e Omega in the equations of motion.
 
-K v = omega^2 (M - i G/e) v is an eigenvalue problem for mu = 1/omega^2, in which K is the positive
-matrix. M - i G/e may be indefinite: a thin disc stiffens its shaft so much that a forward critical
-speed no longer exists. Negative mu do not belong to speeds.
+K v = omega^2 (M - i G/e) v is solved as an eigenvalue problem for mu = 1/omega^2, because K is
+positive definite. M - i G/e may be indefinite: a thin disc can stiffen its shaft so much that a
+forward critical speed no longer exists. Negative mu are not critical speeds.
 """
 
 from dataclasses import dataclass
@@ -73,7 +73,7 @@ def check_supported(block: Block) -> None:
 
 
 def _of_block(block: Block, excitation: float) -> tuple[Array, Complex]:
-    """Speeds (k,) and vectors (k, n). If only rotation is free, A v is orthogonal to it."""
+    """Critical speeds (k,) and vectors v (k, n) of a block; A v is orthogonal to rigid motions."""
     check_supported(block)
     K, A = block.K, block.M - block.H / excitation
     if abs(K - K.conj().T).max() > 1e-12 * abs(K).max():

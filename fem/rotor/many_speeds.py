@@ -1,13 +1,14 @@
 """Responses at many speeds by one diagonalisation, instead of one factorisation per speed.
 
-If forces rotate at a constant ratio to the shafts, omega = rho Omega, the matrix of a block is
+If the frequency of forces is a constant multiple of the speed, omega = rho Omega, the matrix of a
+block is
 
     D = K + i omega C - omega^2 A,  A = M - H / rho.
 
 The modes V of A v = mu K v, with V^H K V = 1, make all terms diagonal except the damping. The
 damping of bearings has a low rank, C = P Q^H:
 
-    V^H D V = d + i omega (V^H P) (V^H Q)^H,  d = 1 - omega^2 mu,
+    V^H D V = d + i omega (V^H P) (V^H Q)^H,  d = 1 - omega^2 mu.
 
 With Woodbury's formula, only systems of the size of this rank must be solved. Then one correction
 with the residual of D follows; its size indicates whether the result is as accurate as a direct

@@ -119,7 +119,7 @@ class Rotor:
 
     @property
     def M(self) -> Array:
-        """Mass matrix (n, n), six unknowns per node; nodes inside of elements are last."""
+        """Mass matrix (n, n), six unknowns per node; inner nodes of refined elements are last."""
         return self.system.M
 
     @property

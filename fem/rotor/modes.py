@@ -41,7 +41,7 @@ class Modes:
 def modes(rotor: Rotor, speed: float = 0.0, count: int = 6, plane: str = "bending") -> Modes:
     """Modes with the `count` lowest frequencies at `speed` [rad/s].
 
-    `plane` is "bending", "torsion", "axial" or "all"; motions coupled to them by a link are
+    `plane` is "bending", "torsion", "axial" or "all"; motions that a link couples to these are
     included. The largest displacement of a shape is 1 (or its largest rotation, if it has no
     displacement). Inner nodes of refined elements follow the numbered nodes. The rigid motions of a
     rotor without supports are modes of frequency zero.

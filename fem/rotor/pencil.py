@@ -1,17 +1,17 @@
 """Eigenvalues of (lambda^2 M + lambda (C + Omega G) + K) v = 0 for many speeds at once.
 
-Undamped problems: lambda = i omega, with Hermitian K, M and H = i G. For mu = 1/omega,
+Undamped problems: lambda = i omega, with Hermitian K, M and H = i G. With mu = 1/omega,
 
-    mu^2 K v = M v - mu Omega H v,
+    mu^2 K v = M v - mu Omega H v.
 
-in the coordinates of the modes at zero speed, in which K becomes 1 and M diagonal (B = diag b^2),
-becomes the Hermitian standard problem
+In the coordinates of the modes at zero speed, K becomes the unit matrix and M becomes diag b^2. The
+problem is then the Hermitian standard problem
 
     [[-Omega H, b], [b, 0]] [v; w] = mu [v; w].
 
-This form needs a positive K and permits unknowns without mass. If K permits a rigid motion, the
-problem for omega has the same form, with M in the place of K. All other problems, damped or with an
-asymmetric K, are linearised in the same two forms and solved by a general solver.
+This form requires a positive definite K and permits unknowns without mass. If K permits a rigid
+motion, the problem for omega has the same form, with M in the place of K. All other problems,
+damped or with an asymmetric K, are linearised in the same two forms and solved by a general solver.
 """
 
 from collections.abc import Callable
@@ -56,9 +56,9 @@ def _undamped(block: Block, speeds: Array) -> Spectrum:
         lower = cholesky(A, lower=True)
     except np.linalg.LinAlgError:
         raise ArithmeticError(
-            "the stiffness is not positive: a support or link pushes away"
+            "the stiffness matrix of the rotor is not positive definite: check supports and links"
             if held
-            else "unknowns without mass are left free: support them or give them mass"
+            else "unknowns without mass are left free: add supports or masses for these unknowns"
         ) from None
     inner = solve_triangular(lower, solve_triangular(lower, B, lower=True).conj().T, lower=True)
     squares, turn = eigh((inner + inner.conj().T) / 2)

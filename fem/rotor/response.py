@@ -155,7 +155,7 @@ def forced_response(
 
     `force` has the shape (speeds, unknowns), or (unknowns,) for all speeds. `speeds` and `omega`
     (m,) are pairs; one of them may be a single number. Forces with a negative omega rotate in the
-    opposite sense; amplitudes refer to the positive omega.
+    opposite sense; the returned amplitudes refer to |omega|.
     """
     return _responses(rotor, speeds, omega, [force])[0]
 
