@@ -46,7 +46,7 @@ class SurfaceCompliance:
         return 1 / abs(self.curvature)
 
     def depth(self, s: Array) -> Array:
-        """Depth of the surface below its tangent at the arc length `s`."""
+        """Depth, at the arc length `s`, of the surface below its tangent at s = 0."""
         return np.asarray((1 - np.cos(self.curvature * s)) / self.curvature)
 
     def between(self, across: Array, tilt: float) -> Array:

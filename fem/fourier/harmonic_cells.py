@@ -11,8 +11,8 @@ and the weak form is, with c = 2 pi for n = 0 and pi otherwise,
     a(u, v) = c int (lambda tr eps(u) tr eps(v) + 2 mu eps(u) : eps(v)) r dr dz.
 
 The strains are linear in n. Therefore K = K_0 + n K_1 + n^2 K_2, with parts that are the same for
-all harmonics. The strains of the antisymmetric field (U sin n t, V cos n t, W sin n t) follow
-with -n instead of n.
+all harmonics. The strains of the antisymmetric field (U sin n t, V cos n t, W sin n t) have
+these amplitudes with -n in place of n.
 """
 
 from collections.abc import Sequence

@@ -1,4 +1,4 @@
-"""Ring shrunk on a shaft: pressure between ring and shaft, and its singularity at the edge."""
+"""Ring shrunk on a shaft: contact pressure, and its singularity at the edge of the contact."""
 
 from collections.abc import Sequence
 
@@ -21,10 +21,10 @@ def shrink_pressure(bodies: Sequence[tuple[FourierSolid, str]], stations: Array)
 
 
 def edge_slope(distance: Array, pressure: Array, at: float) -> float:
-    """Exponent of p ~ r^slope at the edge, from pressures at decreasing distances r (n,).
+    """Exponent of p ~ r^slope at an edge, from pressures at decreasing distances r from the edge.
 
-    The slope of ln p over ln r at r = `at` has an error of first order in r, which is extrapolated
-    to zero.
+    The slope of ln p over ln r at r = `at` has an error of first order in r. This error is removed
+    by extrapolation to r = 0.
 
     >>> r = np.geomspace(1.0, 1e-4, 50)
     >>> round(edge_slope(r, 3 * r**-0.25, 1e-3), 9)

@@ -131,7 +131,7 @@ class RotatingSolid:
         if not np.isfinite(speed) or not 1 <= count < size // 2:
             raise ValueError(
                 "modes require a finite speed and 1 <= count < half of the free unknowns, "
-                f"got {speed:g}, {count}"
+                f"got speed={speed:g}, count={count}"
             )
         G = self.G if speed else csr_array((size, size))
 
@@ -165,11 +165,12 @@ class RotatingSolid:
         return WhirlModes(speed, ahead.w, behind.w, forward, backward, splitting)
 
     def critical_speeds(self, count: int = 2, *, excitation: float = 1.0) -> tuple[Array, Array]:
-        """Lowest speeds Omega (found,), `excitation` Omega being a natural frequency, and shapes.
+        """Speeds Omega (found,) at which `excitation` Omega is a natural frequency, and mode shapes.
 
-        There are fewer than `count` speeds if gyroscopic forces prevent some modes from having a
-        critical speed: only positive roots 1/Omega^2 of (e^2 M - e G) u = K u/Omega^2 belong to
-        speeds, with e = `excitation`. A negative `excitation` gives backward modes.
+        The lowest `count` speeds are returned. There are fewer if gyroscopic forces prevent some
+        modes from having a critical speed: only positive roots 1/Omega^2 of (e^2 M - e G) u = K
+        u/Omega^2 belong to speeds, with e = `excitation`. A negative `excitation` gives backward
+        modes.
         """
         e, size = excitation, self.K.shape[0]
         B = csr_array(e**2 * self.M - e * self.G)

@@ -85,7 +85,7 @@ def inertias(
 
 
 def squares(rows: Sequence[Array], weights: Array, size: int) -> csr_array:
-    """Sum (size, size) of the weighted outer products of `rows`."""
+    """Sum (size, size) of the weighted outer products of each of `rows` with itself."""
     if not len(rows):
         return csr_array((size, size))
     C = csr_array(np.array(rows))

@@ -25,7 +25,7 @@ def shapes(elem: Element, X: Array) -> tuple[Array, Array]:
 
 
 def _on_line(x: Array, degree: int) -> tuple[Array, Array]:
-    """Lagrange polynomials (degree + 1, ...) with equal steps on [0, 1], and their derivatives."""
+    """Lagrange polynomials (degree + 1, ...) of equidistant nodes on [0, 1], and derivatives."""
     if degree == 1:
         return np.array([1 - x, x]), np.array([np.full(x.shape, -1.0), np.ones(x.shape)])
     values = np.array([(1 - x) * (1 - 2 * x), 4 * x * (1 - x), x * (2 * x - 1)])

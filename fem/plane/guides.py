@@ -22,8 +22,8 @@ def wall_normals(
 
     A vertex between facets of a smooth wall has their mean normal, also if the facets have
     different names. A vertex at a corner has the normals of both sides. With `turn`, a wall
-    continues beyond the axis as its mirror image; at a `tied` node, it continues at its leader
-    node.
+    continues beyond the axis as its mirror image; at a `tied` node, it continues on the
+    facets at the leader.
     """
     nodes, normals, owner = [], [], []
     for i, name in names.items():

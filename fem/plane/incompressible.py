@@ -40,7 +40,7 @@ def refuse(mesh: Mesh2D, lam: Array, mu: Array, reason: str) -> None:
 
 
 class ElementTriP2Plus(ElementTriP2):
-    """Quadratic triangle with a seventh node at its centre: Crouzeix and Raviart's displacements.
+    """Quadratic triangle with a seventh node at its centre, for Crouzeix and Raviart's elements.
 
     Together with discontinuous linear pressures, it satisfies the inf-sup condition. The six-node
     triangle does not satisfy it.

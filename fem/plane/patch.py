@@ -19,9 +19,10 @@ def solve_under_patch(
     """Solution of the body under half of the line load P [force/length] on its boundary "patch".
 
     The patch extends from the x axis along the arc of `radius` about the origin to the half-width a
-    [length]. The other half of the load acts on the other side of the axis. At its
-    end, the pressure falls to zero as a square root. With equal cells, this causes an integration
-    error of order 3/2, about 1e-5 of the load. The result is therefore scaled to the load P/2.
+    [length]. The other half of the load acts on the other side of the axis. At the end
+    of the patch, the pressure falls to zero as a square root. With equal cells, this causes an
+    integration error of order 3/2, about 1e-5 of the load. The result is therefore scaled to the
+    load P/2.
     """
     peak = 2 * P / (np.pi * a)
 

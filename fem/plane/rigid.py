@@ -102,7 +102,7 @@ def free_motions(
 def _compressed(
     rows: csr_array, nodes: Indices, of_node: Indices, shapes: Array, count: int
 ) -> Array:
-    """Conditions `rows` (k, unknowns) as n `count` conditions on n motions of `count` bodies."""
+    """Conditions `rows` (k, unknowns) as a matrix (n count, n count) for n motions of each body."""
     n = shapes.shape[2]
     all_motions = np.zeros((rows.shape[1], count, n))
     for i in (0, 1):
@@ -112,7 +112,7 @@ def _compressed(
 
 
 def _name(mesh: Mesh2D, own: NDArray[np.bool_]) -> str:
-    """In brackets, the first name whose cells are all in the mask `own` of a body, or empty."""
+    """First name, in brackets, whose cells are all in one body (mask `own`); empty if none."""
     for name, cells in (mesh.subdomains or {}).items():
         if np.all(own[cells]):
             return f" ({name!r})"

@@ -106,7 +106,7 @@ class PlaneSolution:
         return x, y
 
     def mean_reaction(self, boundary: str) -> dict[str, float]:
-        """Force (x, y) and moment (r, about `Mean.about`) of the prescribed means of `boundary`."""
+        """Force (x, y) and moment (r, about `Mean.about`) for prescribed motions of `boundary`."""
         means = {} if self.held is None else self.held.means
         if self.held is None or boundary not in means:
             known = ", ".join(means) or "none"

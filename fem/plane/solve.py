@@ -152,8 +152,8 @@ def _solve(cells, f, T, u0):
     """Solve u = T q + u0, T'(f - internal forces) = 0.
 
     Returns u, its internal forces, and the relative energy of the last correction. The residual is
-    computed from the stresses of u, cell by cell. In slender bodies, the round-off of K u, which
-    contains large rigid motions, would exceed the residual. K is used only for the corrections.
+    computed from the stresses of u, cell by cell. In slender bodies, u contains large rigid
+    motions, and the round-off of K u would exceed the residual. K is used only for the corrections.
     """
     scale = float(cells.mu.max())
     steering = replace(cells, lam=short(cells.lam / scale), mu=short(cells.mu / scale))

@@ -103,7 +103,7 @@ class Tied:
     def led_by(self, nodes: Indices) -> tuple[Indices, Array]:
         """Leaders (2, m) of `nodes` (2, m), and the angles (m,) by which the nodes are rotated.
 
-        A node that follows no other node is its leader itself.
+        If a node follows no other node, its leader is the node itself.
         """
         place = np.full(self.count, -1)
         place[self.follower[0]] = np.arange(self.angle.size)

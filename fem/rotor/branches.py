@@ -47,7 +47,7 @@ def check_count(count: int) -> int:
 
 
 def parts(rotor: Rotor, speed: float, plane: str) -> list[Block]:
-    """Blocks of `plane`, without backward blocks, which are conjugate to the forward blocks."""
+    """Blocks with motions in `plane`, without backward blocks (conjugates of forward blocks)."""
     known = ("bending", "torsion", "axial", "all")
     if plane not in known:
         raise ValueError(f"plane must be one of {', '.join(known)}, got {plane!r}")
@@ -91,7 +91,7 @@ def _lowest(found: Spectrum, block: Block, count: int, unknowns: int) -> list[Ch
     """Lowest oscillating eigenvalues (k,), shapes (k, unknowns), states (m, k), for each speed.
 
     A block with both senses of whirl has conjugate pairs, of which only one half is returned. In a
-    forward block, backward eigenvalues are negative.
+    forward block, eigenvalues of backward modes have negative imaginary parts.
     """
     made = []
     for i, values in enumerate(found.values):
@@ -110,7 +110,7 @@ def _lowest(found: Spectrum, block: Block, count: int, unknowns: int) -> list[Ch
 
 
 def _tracked(chosen: list[Chosen], sense: int) -> Branches:
-    """Branches of the first speed, tracked over the speeds.
+    """Branches that begin at the first speed, tracked over all speeds.
 
     The values of a branch are NaN after it ceases to oscillate.
     """

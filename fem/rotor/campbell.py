@@ -15,8 +15,8 @@ from fem.rotor.model import Rotor
 class Campbell:
     """Branches over `speeds` (m,) [rad/s]: eigenvalues (m, k) [1/s] and sense of whirl (m, k).
 
-    Branches are ordered by their frequency at the first speed. Values are NaN if a branch no longer
-    oscillates.
+    Branches are ordered by their frequency at the first speed. The values of a branch are NaN after
+    it ceases to oscillate.
     """
 
     speeds: Array

@@ -113,7 +113,7 @@ class Shaft:
 class Disc:
     """Rigid disc: `mass` [kg], `polar` and `diametral` moments of inertia [kg m^2].
 
-    Discs with a `width` [m], with the node in the middle, must not overlap. Raises ValueError for
+    Discs with a `width` [m], centred at their nodes, must not overlap. Raises ValueError for
     negative values.
     """
 

@@ -29,8 +29,8 @@ def spread_ratios(low: float, high: float, apart: float, count: int) -> Array:
 def peaks(near: Array) -> Array:
     """Highest local maximum (...,) of the amplitudes `near` (..., speeds) over the speed.
 
-    The result is NaN if there is no local maximum. A maximum at an end of the range is the flank of
-    another peak and is not included.
+    The result is NaN if there is no local maximum. The largest amplitude at an end of the
+    range of speeds is not a local maximum.
 
     >>> peaks(np.array([[1.0, 3.0, 2.0], [1.0, 2.0, 3.0]])).tolist()
     [3.0, nan]
@@ -42,7 +42,7 @@ def peaks(near: Array) -> Array:
 
 
 def above_chord(f: Array, u: Array) -> Array:
-    """Largest relative excess [1] of f (3, ...) over its chord from u[0] to u[2], at u[1].
+    """Largest relative excess [1] of f[1] at u[1] over the straight line through f[0] and f[2].
 
     >>> round(float(above_chord(np.array([[1.0], [3.3], [5.0]]), np.array([1.0, 2.0, 3.0]))), 12)
     0.1

@@ -103,8 +103,8 @@ def unbalance_response(
 
     The argument of a complex unbalance is its angle on the shaft. Each unbalance rotates with its
     shaft. All unbalances of one response must therefore be on shafts with the same speed ratio.
-    Raises ValueError for other unbalances, for nodes that do not exist, and for a rotor without
-    sufficient supports; ArithmeticError at a resonance without damping.
+    Raises ValueError for unbalances on shafts with different ratios, for nodes that do not exist,
+    and for a rotor without sufficient supports; ArithmeticError at a resonance without damping.
     """
     return unbalance_responses(rotor, speeds, [unbalances])[0]
 
@@ -129,7 +129,7 @@ def unbalance_responses(
 
 
 def _turning(rotor: Rotor, unbalances: Mapping[int, complex]) -> tuple[Complex, set[float]]:
-    """Forces (unknowns,) divided by omega^2, and the ratios of the shafts that carry them."""
+    """Unbalance forces (unknowns,) divided by omega^2, and speed ratios of the loaded shafts."""
     if not unbalances:
         raise ValueError("an unbalance response requires at least one unbalance")
     force = np.zeros(rotor.system.M.shape[0], complex)
