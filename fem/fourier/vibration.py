@@ -165,7 +165,7 @@ class RotatingSolid:
         return WhirlModes(speed, ahead.w, behind.w, forward, backward, splitting)
 
     def critical_speeds(self, count: int = 2, *, excitation: float = 1.0) -> tuple[Array, Array]:
-        """Speeds Omega (found,) at which `excitation` Omega is a natural frequency, and mode shapes.
+        """Speeds Omega (found,) at which `excitation` Omega is a natural frequency, and mode shape.
 
         The lowest `count` speeds are returned. There are fewer if gyroscopic forces prevent some
         modes from having a critical speed: only positive roots 1/Omega^2 of (e^2 M - e G) u = K
