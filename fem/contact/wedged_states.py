@@ -20,8 +20,8 @@ def let_go(wedge: Wedge, N: float, *, mu: float) -> tuple[Array, Array]:
     """Ratios T/(mu N) and (c/a)² (m,) of a roller while the force that presses it is reduced.
 
     This force acts at the middle of the roller. Initially, there is no friction, and the force
-    alone balances the normal forces N. It is then reduced in m steps; N is constant and T
-    increases.
+    alone balances the normal forces N. The force is then reduced in m steps; N is constant and
+    T increases.
     """
     half = wedge.geometry.half
     push = N * math.sin(half)
@@ -41,9 +41,10 @@ def let_go(wedge: Wedge, N: float, *, mu: float) -> tuple[Array, Array]:
 def share_stuck(touch: Touch) -> float:
     """Squared ratio (c/a)² of the half-widths of stick zone and contact, from a second moment.
 
-    For Cattaneo's tractions, it is 4 M_2/(M_0 a²) - 1, with the second moment M_2 of the tangential
-    traction and its integral M_0. The moment is about the fixed middle of the contact. Therefore an
-    odd part of the traction has no effect; pressing a round body on a flat leaves such a part.
+    For Cattaneo's tractions, (c/a)² is 4 M_2/(M_0 a²) - 1, with the second moment M_2 of the
+    tangential traction and its integral M_0. The moment is about the fixed middle of the contact.
+    Therefore an odd part of the traction has no effect; pressing a round body on a flat leaves such
+    a part.
     """
     middle = (0.0, 0.0)  # the roller's centre, below the place where it first touched
     s, load = touch.along(middle), touch.q * touch.weight

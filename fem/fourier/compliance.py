@@ -147,9 +147,9 @@ def _waves(angle: Array, n: Indices, tilt: float) -> Array:
 def harmonics(*, places: int, highest: float, growth: float = 1.5) -> Indices:
     """Harmonics for which the compliance is calculated: multiples of `places`, including 0.
 
-    They are 0, the eight lowest multiples, then a geometric series. Each harmonic of the series is
-    about `growth` times the previous harmonic. The last harmonic is the first that reaches
-    `highest`.
+    The harmonics are 0, the eight lowest multiples of `places`, then a geometric series. Each
+    harmonic of the series is about `growth` times the previous harmonic. The last harmonic is the
+    first that reaches `highest`.
     """
     found = [0, *(places * k for k in range(1, LOW + 1))]
     while found[-1] < highest:

@@ -1,7 +1,7 @@
 """Flexibility of a body in many harmonics, under loads on a few unknowns that are eliminated last.
 
-For n >= 2, all harmonics have the same free unknowns. They therefore share one matrix T, which
-selects these unknowns, and one sparsity pattern.
+All harmonics n >= 2 have the same free unknowns, and therefore share one matrix T, which selects
+these unknowns, and one sparsity pattern.
 """
 
 from dataclasses import dataclass

@@ -10,7 +10,7 @@ from fem.plane.discretisation import Array
 def rigid_inertia(body: RotatingSolid) -> Array:
     """Mass [kg], and polar and diametral moments of inertia [kg m^2] about the origin (3,).
 
-    They are v M v, w G w and w M w, with a unit translation v across the axis and a unit tilt w.
+    The values are v M v, w G w and w M w, with unit translation v across the axis and unit tilt w.
     """
     twice = np.asarray(body.T.multiply(body.T).sum(axis=0)).ravel()
     across, tilt = ((body.T.T @ rigid_motions(body.solid.basis, 1, False)) / twice[:, None]).T

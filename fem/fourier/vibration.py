@@ -9,7 +9,7 @@ angular frequency w. A wave with w > 0 is a forward wave, in the sense of Omega 
     K u + w Omega G u - w^2 M u = 0,    and with x = (u, w u)
     diag(K, M) x = w [[-Omega G, M], [M, 0]] x.
 
-The second form is symmetric, with a positive definite left side. It requires only the factors of K
+The second form is symmetric, with a positive definite left side, and requires only the factors of K
 at any speed. Lanczos' method finds the largest 1/w of both signs.
 """
 
@@ -48,8 +48,8 @@ class WhirlModes:
     """Angular frequencies (count,) of forward and backward waves at `speed`, in ascending order.
 
     `forward_shapes` and `backward_shapes` (unknowns, count) contain amplitudes (U, V, W) of unit
-    modal mass. `splitting` (count,) is the forward minus the backward frequency. Its relative
-    accuracy is that of a frequency, also for small differences.
+    modal mass. `splitting` (count,) is the forward minus the backward frequency. The relative
+    accuracy of `splitting` is that of a frequency, also if both frequencies are nearly equal.
     """
 
     speed: float

@@ -15,7 +15,7 @@ def check_held_or_sprung(basis: Basis, T: csr_array, n: int, pulls: Sequence[Arr
     """Raise ValueError if supports and springs permit a rigid motion of a body in harmonic n.
 
     u = T q are the displacements that the supports permit. `pulls` are vectors c (free,), one for
-    each stiffness of a spring, so that its energy is (c . q)^2/2.
+    each stiffness of a spring, with the energy (c . q)^2/2.
     """
     motions = _of_bodies(basis, n)
     if not motions.shape[1]:

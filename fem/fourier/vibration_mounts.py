@@ -53,7 +53,7 @@ class RigidDisc:
 
 
 def pulls_of(basis: Basis, T: csr_array, mounts: Sequence[Mount]) -> list[Array]:
-    """Vectors c (free,), one for each stiffness of a spring, so that its energy is (c . q)^2/2.
+    """Vectors c (free,), one for each stiffness of a spring, with the energy (c . q)^2/2.
 
     q (free,) are the free unknowns in u = T q.
     """

@@ -78,9 +78,9 @@ def mean_motion(basis: Basis, boundary: str) -> Array:
     """Vectors (unknowns, 2) whose products with u are the lateral shift and tilt of `boundary`.
 
     u is a displacement in harmonic 1, with the amplitudes (U, V, W). Shift and tilt are a
-    displacement along x and a rotation about y [rad] at the centre of the boundary. They are the
-    least-squares fit of a rigid motion to u over the area of the boundary. Raises ValueError for an
-    unknown boundary, or a boundary on the axis.
+    displacement along x and a rotation about y [rad] at the centre of the boundary. Both are from
+    the least-squares fit of a rigid motion to u over the area of the boundary. Raises ValueError
+    for an unknown boundary, or a boundary on the axis.
     """
     facets = named_facets(basis.mesh, boundary)
     if not has_area(basis.mesh, facets):

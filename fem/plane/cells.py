@@ -161,8 +161,8 @@ class Cells:
     def internal_forces(self, u: Array) -> Array:
         """Internal forces (unknowns,) of the stresses of `u`: a(u, v) for every v.
 
-        They are computed from the strains of each cell. The round-off of K times a large rigid
-        motion is thereby avoided.
+        The forces are computed from the strains of each cell. The round-off of K times a large
+        rigid motion is thereby avoided.
         """
         m, rows, _ = self.slope.shape
         grad = self.gradient(u)

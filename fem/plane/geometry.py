@@ -35,7 +35,7 @@ def _on_line(x: Array, degree: int) -> tuple[Array, Array]:
 def jacobians(mesh: Mesh2D, X: Array, cells: Indices | None = None) -> tuple[Array, Array]:
     """Jacobian matrices dx_i / dX_j (m, q, 2, 2) at reference points `X`, and determinants (m, q).
 
-    For all cells, `X` is (2, q). For `cells` (m,), it may also be (2, m, q), with separate points
+    For all cells, `X` is (2, q). For `cells` (m,), `X` may also be (2, m, q), with separate points
     in each cell. Coordinates are relative to a node of the cell. The round-off is therefore small
     relative to the cell at any distance from the origin.
     """
@@ -53,7 +53,7 @@ def jacobians(mesh: Mesh2D, X: Array, cells: Indices | None = None) -> tuple[Arr
 def shapes_in(mesh: Mesh2D, cells: Indices, elem: Element, X: Array) -> tuple[Array, Array]:
     """Shape functions (n, m, q) of `elem` and their derivatives d/dx_i (2, n, m, q).
 
-    They are evaluated in `cells` (m,) at reference points `X` (2, m, q) of each cell.
+    The functions are evaluated in `cells` (m,) at reference points `X` (2, m, q) of each cell.
     """
     J, det = jacobians(mesh, X, cells)
     N, (along, across) = shapes(elem, X)

@@ -22,7 +22,7 @@ def wall_normals(
 
     A vertex between facets of a smooth wall has their mean normal, also if the facets have
     different names. A vertex at a corner has the normals of both sides. With `turn`, a wall
-    continues beyond the axis as its mirror image; at a `tied` node, it continues on the
+    continues beyond the axis as its mirror image; at a `tied` node, the wall continues on the
     facets at the leader.
     """
     nodes, normals, owner = [], [], []
@@ -65,7 +65,7 @@ def turned(vectors: Array, angle: Array) -> Array:
 
 
 def _smoothed(node: Indices, normal: Array) -> Array:
-    """Normals (2, m), each replaced by the mean of the normals at its node within 30 deg of it."""
+    """Normals (2, m), each replaced by the mean of all normals at its node within 30 deg."""
     smooth = normal.copy()
     order = np.argsort(node, kind="stable")
     for group in np.split(order, np.flatnonzero(np.diff(node[order])) + 1):

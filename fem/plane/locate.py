@@ -89,8 +89,8 @@ def _invert(mesh: Mesh2D, nodes: Array, x: Array, starts: Array) -> tuple[Array,
 
     Newton's method begins at each of `starts` (k, 2) in turn, until the result is inside the cell:
     near a distorted cell, a second point may also map to x. The depth is the distance to the
-    nearest edge divided by the size of the cell. It is minus infinity if no point near the cell
-    maps to x.
+    nearest edge divided by the size of the cell, or minus infinity if no point near the cell maps
+    to x.
     """
     corner = nodes[:, 0]
     nodes, x = nodes - corner[:, None], x - corner

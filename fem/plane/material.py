@@ -34,6 +34,6 @@ class Elastic:
     def normal_stress_ratio(self, assumption: Assumption) -> float:
         """Ratio sigma_zz / (sigma_xx + sigma_yy): nu in plane strain, 0 in plane stress.
 
-        It is NaN for a body of revolution, whose hoop stress follows from the hoop strain.
+        The ratio is NaN for a body of revolution, whose hoop stress follows from the hoop strain.
         """
         return {"plane strain": self.nu, "plane stress": 0.0, "axisymmetric": math.nan}[assumption]

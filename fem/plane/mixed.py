@@ -1,7 +1,8 @@
 """Cells of nearly incompressible bodies, with a volumetric stress that is linear in each cell.
 
 The mixed form has the displacements u and p = lambda theta. The dilatation theta is linear in each
-cell and discontinuous between cells. It is eliminated in each cell as the projection of div u:
+cell and discontinuous between cells. The dilatation is eliminated in each cell as the projection of
+div u:
 
     K = 2 mu int eps(u) : eps(v) + lambda int theta(u) theta(v),  int psi (theta(u) - div u) = 0
 

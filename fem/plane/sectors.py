@@ -21,9 +21,9 @@ def radial(body: PlaneSolution, r: float, theta: Array) -> Array:
 def largest_hoop_stress(side: Samples, centre: Array, end: float, p: float) -> float:
     """Largest hoop stress [stress] along a fillet, from a fitted polynomial.
 
-    The fillet is loaded by the pressure p. It extends over the angle `end` [rad] about its centre,
-    from the direction of the x axis. The normal stress is minus the pressure. The hoop stress is
-    therefore the sum of both normal stresses plus p, for any directions of the axes.
+    The fillet is loaded by the pressure p. The fillet extends over the angle `end` [rad] about its
+    centre, from the direction of the x axis. The normal stress is minus the pressure. The hoop
+    stress is therefore the sum of both normal stresses plus p, for any directions of the axes.
     """
     turn = np.arctan2(*(side.x - centre[:, None])[::-1]) / end
     stress = side.stress[0] + side.stress[1] + p

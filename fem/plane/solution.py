@@ -71,8 +71,8 @@ class PlaneSolution:
     def strain_energy(self) -> float:
         """Half the integral of stress times strain, for the whole thickness [force x length].
 
-        It is computed from the strains, not from u . K u. In slender bodies, the round-off of K
-        times large rigid motions would exceed the strains.
+        The energy is computed from the strains, not from u . K u. In slender bodies, the round-off
+        of K times large rigid motions would exceed the strain energy.
         """
         return self.thickness * self._cells().strain_energy(self.u)
 
@@ -80,9 +80,9 @@ class PlaneSolution:
     def potential_energy(self) -> float:
         """Strain energy minus the work of the loads, f . u [force x length].
 
-        It is stationary at the solution: its error is of second order in the error of u. Under
-        loads without prescribed displacements, it is minus half the work of the loads; the
-        compliance is then -2 x potential energy / force^2.
+        The potential energy is stationary at the solution: its error is of second order in the
+        error of u. Under loads without prescribed displacements, it is minus half the work of the
+        loads; the compliance is then -2 x potential energy / force^2.
         """
         return self.strain_energy - float(self.f @ self.u)
 
@@ -99,7 +99,7 @@ class PlaneSolution:
     def reaction_at(self, point: tuple[float, float]) -> tuple[float, float]:
         """Force (x, y) that an anchor at `point` exerts.
 
-        In a body of revolution, it is the total force on the ring through the point.
+        In a body of revolution, the result is the total force on the ring through the point.
         """
         node = nearest_node(self.basis, point)
         x, y, _ = self._resultant(self.conditions.anchored_at(node))

@@ -13,11 +13,11 @@ from fem.plane.geometry import Array, Indices, jacobians, shapes_in
 class Trace(FacetBasis):
     """Basis of the cells on one `side` of `facets`, evaluated at the facet parameters `X` (1, q).
 
-    It has the content of scikit-fem's class, with two differences. First, the reference coordinates
-    of a point of a facet are calculated from the corners of the facet. scikit-fem inverts the
-    curved map by Newton's method to 1e-12 of a cell; round-off makes this impossible if cells are
-    small relative to their distance from the origin. Second, shape functions are evaluated on
-    demand.
+    The class has the content of scikit-fem's `FacetBasis`, with two differences. First, the
+    reference coordinates of a point of a facet are calculated from the corners of the facet.
+    scikit-fem inverts the curved map by Newton's method to 1e-12 of a cell; round-off makes this
+    impossible if cells are small relative to their distance from the origin. Second, shape
+    functions are evaluated on demand.
     """
 
     def __init__(self, basis: Basis, facets: Indices, side: int, X: Array, W: Array) -> None:

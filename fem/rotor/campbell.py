@@ -36,8 +36,8 @@ class Campbell:
     def crossings(self, ratio: float = 1.0) -> Array:
         """Speeds (j,) [rad/s] at which the frequency of a branch equals `ratio` times the speed.
 
-        They are interpolated by a parabola through the three nearest speeds. The error is of third
-        order in the spacing of the speeds.
+        The crossings are interpolated by a parabola through the three nearest of `speeds`. The
+        error is of third order in the spacing of the speeds.
         """
         found = []
         for branch in self.frequencies.T:

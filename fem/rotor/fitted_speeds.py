@@ -49,7 +49,7 @@ def fitted(
 def gradients(x: Array, v: Array, systems: Systems) -> Array:
     """Derivatives (m, modes, k) of the logarithms of the critical speeds by the positions x.
 
-    They are calculated from the energies of the mode shapes v.
+    The derivatives are calculated from the energies of the mode shapes v.
     """
     made = []
     for change in SMALL * np.eye(x.shape[1]):

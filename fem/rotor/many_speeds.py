@@ -11,8 +11,8 @@ damping of bearings has a low rank, C = P Q^H:
     V^H D V = d + i omega (V^H P) (V^H Q)^H,  d = 1 - omega^2 mu.
 
 With Woodbury's formula, only systems of the size of this rank must be solved. Then one correction
-with the residual of D follows; its size indicates whether the result is as accurate as a direct
-solution.
+with the residual of D follows; the size of this correction indicates whether the result is as
+accurate as a direct solution.
 """
 
 from dataclasses import dataclass
