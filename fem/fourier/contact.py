@@ -31,9 +31,9 @@ class NarrowPatchError(ValueError):
 class PatchContact:
     """Contact pressures `p` (M, cells) on a grid of cells, with the load and the approach.
 
-    The cells have the ends `across` (M + 1,) in x and `stations` (cells + 1,) in z. `across` are
-    distances from the plane through the axes, for points at the arc lengths s. `load` and
-    `approach` belong to the modelled length.
+    The boundaries of the cells are `across` (M + 1,) in x and `stations` (cells + 1,) in z.
+    `across` are distances from the plane through the axes, for points at the arc lengths s. `load`
+    and `approach` belong to the modelled length.
     """
 
     across: Array

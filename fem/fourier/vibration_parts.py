@@ -8,8 +8,8 @@ u_t) into (-u_t, u_r). This gives
     D = -i (w - Omega (n + P)),  P = [[0, 1, 0], [1, 0, 0], [0, 0, 0]] on (U, V, W),
     -D^2 = w^2 - 2 w Omega (n + P) + Omega^2 (n + P)^2.
 
-The first two terms are M and G below. The third term is omitted, and so is the stiffness due to the
-centrifugal stress; both cancel for a rigid rotation.
+The first two terms give the mass matrix and the gyroscopic matrix. The third term and the stiffness
+due to the centrifugal stress are omitted; these two cancel each other for a rigid rotation.
 """
 
 from collections.abc import Mapping

@@ -32,7 +32,7 @@ BLOCK = 512  # cells whose matrices fit the processor's cache together
 class Cells:
     """Isotropic cells in the plane, per unit thickness, or for the full circumference.
 
-    `slope` (m, 2 points, n) contains d_i N at the quadrature points: point by point, i = x, y. `dx`
+    `slope` (m, 2 points, n) contains d_x N, then d_y N, for each quadrature point in turn. `dx`
     (m, points) are the integration weights, `dofs` (m, n, 2) the unknowns, `lam` and `mu` (m,)
     Lamé's constants. `around` (m, points, n) is N/r for a body of revolution, otherwise None.
     """
@@ -159,7 +159,7 @@ class Cells:
         return float(np.sum(density * self.dx)) / 2
 
     def internal_forces(self, u: Array) -> Array:
-        """Internal forces (unknowns,) of the stresses of `u`: a(u, v) for every v.
+        """Internal forces (unknowns,) of the stresses of `u`: a(u, v) for every shape function v.
 
         The forces are computed from the strains of each cell. The round-off of K times a large
         rigid motion is thereby avoided.

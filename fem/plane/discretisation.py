@@ -76,9 +76,9 @@ def vector_basis(
 ) -> Basis:
     """Basis of displacements of the given degree; by default the degree of the mesh.
 
-    With `turn`, x is a radius. `mixed` is for cells with a projected dilatation. Raises ValueError
-    for a degree other than 1 or 2, and if a cell of the mesh is folded or, with `turn`, crosses the
-    axis.
+    With `turn`, x is a radius. `mixed` selects elements for a projected dilatation. Raises
+    ValueError for a degree other than 1 or 2, and if a cell of the mesh is folded or, with `turn`,
+    crosses the axis.
     """
     degree = degree_on(mesh, degree)
     shape = MeshTri1 if isinstance(mesh, MeshTri1) else MeshQuad1

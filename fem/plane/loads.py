@@ -85,10 +85,10 @@ def surface_load(
 def force_load(
     basis: Basis, forces: Mapping[str, tuple[float, float]], *, turn: bool = False
 ) -> Array:
-    """Forces (unknowns,) of resultant `forces` on named boundaries, each distributed uniformly.
+    """Forces (unknowns,) of total `forces` on named boundaries, each distributed uniformly.
 
-    A total force acts on the whole thickness or circumference. Raises ValueError for a radial total
-    force on a body of revolution, because it has no resultant.
+    Each total force acts on the whole thickness or circumference. Raises ValueError for a radial
+    force on a body of revolution, because radial loads around the axis have no resultant.
     """
     f = np.zeros(basis.N)
     for name, force in forces.items():

@@ -131,8 +131,8 @@ class PlaneSolution:
 
         For a point on an edge between cells, or in overlapping bodies, one of the cells is used.
         Raises ValueError for the first point that is outside by more than 1e-4 of a cell; this
-        margin covers circles approximated by parabolas. On the axis of a body of revolution, u_r/r
-        is du_r/dr.
+        margin covers circles approximated by parabolas. On the axis of a body of revolution,
+        u_r/r is replaced by du_r/dr.
         """
         points = np.asarray(points, float)
         if points.ndim != 2 or len(points) != 2 or not np.all(np.isfinite(points)):

@@ -23,7 +23,7 @@ ABSENT = 1e-13  # 1/omega^2 over the largest, below which no speed is left
 
 @dataclass(frozen=True)
 class CriticalSpeeds:
-    """Critical speeds (k,) [rad/s], rising; shapes (k, nodes, 6) and sense of whirl (k,)."""
+    """Critical speeds (k,) [rad/s], ascending; shapes (k, nodes, 6) and sense of whirl (k,)."""
 
     speeds: Array
     shapes: Complex

@@ -1,7 +1,7 @@
 """Parameters of a rotor that give prescribed critical speeds, from many initial values at once.
 
-Positions x (m, k) are the logarithms of the parameters relative to their ranges, 0 to 1. Steps have
-the least norm in x. The gradients are those of the Rayleigh quotient
+Positions x (m, k) are the logarithms of the parameters, scaled to 0 to 1 in the given ranges. Steps
+have the least norm in x. The gradients are those of the Rayleigh quotient
 Omega^2 = (v K v)/(v (M - G_1) v) at constant v.
 """
 

@@ -29,8 +29,8 @@ def spread_ratios(low: float, high: float, apart: float, count: int) -> Array:
 def peaks(near: Array) -> Array:
     """Highest local maximum (...,) of the amplitudes `near` (..., speeds) over the speed.
 
-    The result is NaN if there is no local maximum. The largest amplitude at an end of the
-    range of speeds is not a local maximum.
+    The result is NaN if there is no local maximum. The amplitude at an end of the range of
+    speeds is never counted as a local maximum.
 
     >>> peaks(np.array([[1.0, 3.0, 2.0], [1.0, 2.0, 3.0]])).tolist()
     [3.0, nan]
