@@ -32,7 +32,7 @@ def lazily(package: str, file: str) -> tuple[Callable[[str], Any], Callable[[], 
 
     @cache
     def earlier() -> dict[str, str]:
-        """New names, by old name, of the public names of version 0.1 that were renamed."""
+        """Present name of every public name of version 0.1 that was renamed."""
         stub = ast.parse(Path(file).with_suffix(".pyi").read_text("utf-8"))
         named = [
             x for x in stub.body if isinstance(x, ast.Assign) and isinstance(x.value, ast.Name)
