@@ -145,7 +145,9 @@ def _part(found: FormulaVerdict) -> Sequence[str]:
     if not found.points:
         return (f"accurate within {percent(found.within)} at the default inputs{ONLY}",)
     if found.within is not None:
-        missing = [one.words for one in found.design if not one.spanned]
+        missing = [
+            one.words for one in found.design if not one.spanned and one.case not in found.own_only
+        ]
         own = " and ".join(found.own_only)
         return (
             f"accurate within {percent(found.within)} over {_studied(found)}",

@@ -129,8 +129,8 @@ def endless(context: Context) -> tuple[float, float, str]:
     return (
         grows - GROWS,
         0.0,
-        f"p_max is {words}; each refinement increases p_max by at least {grows:.1%}; the row "
-        f"requires {GROWS:.0%}",
+        f"p_max is {words}; each refinement increases p_max by at least {grows:.1%}, {GROWS:.0%} "
+        "required",
     )
 
 
