@@ -1,7 +1,7 @@
 """Topology of a mesh whose nodes move: cells, facets, boundaries, bodies, numbers of nodes.
 
-The last few topologies are stored by content. A stored topology equals a new one: meshes do not
-depend on previous meshes.
+The last few topologies are cached, with the structure and the cells of the mesh as the key. A
+cached topology equals a new one, so that a mesh does not depend on earlier meshes.
 """
 
 from collections.abc import Callable, Hashable

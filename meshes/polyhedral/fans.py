@@ -1,6 +1,7 @@
-"""Fine ends of a half sector: below the roller, and around the fillet of the corner.
+"""Finely meshed ends of a half sector: below the roller, and around the fillet of the corner.
 
-Points are in the local frame of the sector; see `half_sector`.
+Points are in the local frame of the sector; see `half_sector`. A position `s` is the distance along
+the flat from the middle of the side.
 """
 
 import math
@@ -19,7 +20,10 @@ DEEP = 1 / 3  # of the wall at the corner, which the core around the fillet take
 
 
 def roller_fan(ring: Outline, zone: Zone, s: float) -> list[Block]:
-    """Blocks from the middle of the side to the line across the wall at `s`, fine at the roller."""
+    """Blocks from the middle of the side to the line across the wall at `s`, fine at the roller.
+
+    `s` is the distance along the flat from the middle of the side.
+    """
     middle = (ring.apothem, 0.0)
     # the fan's frame has its origin on the outside, the surface along x and the body in y <= 0
     places = {(y, x - ring.r_e): (x, y) for x, y in (*across(ring, s), middle)}
@@ -53,7 +57,8 @@ def across(ring: Outline, s: float) -> tuple[Point, Point]:
 def corner_fan(ring: Outline, s: float, rows: int, refine: int, arc: int) -> list[Block]:
     """Blocks from the line across the wall at `s` to the corner, fine around the fillet.
 
-    With `refine` 1, at least `arc` cells lie on the fillet, and as many on the outside.
+    With `refine` 1, at least `arc` cells lie on the fillet. The same number of cells lies opposite
+    to it on the outer circle.
     """
     n, depth = _core(ring, rows, arc)
     start, bottom = (ring.apothem, ring.half_flat), ring.on_corner_ray(ring.r_i)
@@ -85,10 +90,11 @@ def corner_fan(ring: Outline, s: float, rows: int, refine: int, arc: int) -> lis
 
 
 def corner_column(ring: Outline, rows: int, refine: int, arc: int) -> Block:
-    """Block over a fillet that is much longer than the thickness of the wall.
+    """Block over a fillet whose arc is much longer than the thickness of the wall.
 
-    Finer cells are not required here. The slender cells of a fan would have an error of third order
-    in h in addition to the error of fourth order, with opposite sign for some rings.
+    A finer mesh is not required at such a fillet. The slender cells of a fan would add an error of
+    third order in h to the error of fourth order; for some rings, the two errors have
+    opposite signs.
     """
     bottom, top = ring.on_corner_ray(ring.r_i), ring.on_corner_ray(ring.r_e)
     start, above = across(ring, ring.half_flat)
@@ -101,10 +107,11 @@ def corner_column(ring: Outline, rows: int, refine: int, arc: int) -> Block:
 
 
 def _core(ring: Outline, rows: int, least: int) -> tuple[int, float]:
-    """Number of cells along the fillet, and depth of the core around it.
+    """Number of cells along the fillet, and depth of the core (the fine cells around the fillet).
 
-    The core has `rows` square cells if possible. If a thin wall leaves less space, no arc is higher
-    than the thickness of its cell.
+    The core has `rows` layers of square cells if the wall is thick enough. In a thin wall, the
+    cells are flatter; they are then so short that the arc of a cell departs from its tangent by at
+    most the thickness of the cell.
     """
     arc, wall = ring.fillet * ring.angle, ring.r_e - ring.r_i
     n = max(least, at_least(arc / (SLENDER * wall)))

@@ -41,11 +41,11 @@ def half_sector(
     `d_i` the diameter of the circle through the rounded corners, and `fillet` the radius of the
     corners. All lengths have the same unit. `refine` 1 is the coarsest mesh, 2 halves all cells,
     and so on. With a `zone`, `cells` equal cells (for `refine` 1) lie on the outside over 0 <= y <=
-    `zone`, at the contact of a roller. The `hub` acts on the flat from s_0 to s_1 [length] from its
-    middle. At least `arc` cells (for `refine` 1) lie on the fillet. Boundaries: "rim" (whole
-    outside) and its part "zone"; "bore" with its parts "flat" and "fillet"; "hub", part of the
-    flat; the sections "mid" (y = 0) and "corner". Body: "ring". `order` is 1 or 2; `straight` cells
-    have straight edges.
+    `zone`, at the contact of a roller. The `hub` acts on the flat between the distances s_0 and s_1
+    [length] from the middle of the side. At least `arc` cells (for `refine` 1) lie on the fillet.
+    Boundaries: "rim" (whole outside) and its part "zone"; "bore" with its parts "flat" and
+    "fillet"; "hub", part of the flat; the sections "mid" (y = 0) and "corner". Body: "ring".
+    `order` is 1 or 2; `straight` cells have straight edges.
 
     Raises ValueError unless z >= 3, 0 < d_i < d_e, 0 < fillet < d_i/2, the zone is narrow relative
     to wall and sector, and the hub acts on the flat.
@@ -76,10 +76,11 @@ def half_sector(
 
 
 def _stops(ring: Outline, hub: tuple[float, float] | None, first: float | None) -> list[float]:
-    """Positions of lines across the wall: end of the roller's fan, start of the corner's fan.
+    """Ascending positions on the flat of the lines across the wall, which separate the blocks.
 
-    Each fan is about as wide as its wall. `first` is the width of the roller's fan; if it is None,
-    the first line is at 0.
+    The lines are the end of the fan at the roller, both ends of the hub, and the start of the fan
+    at the corner. The width of a fan is about the local thickness of the wall. `first` is the width
+    of the fan at the roller; if it is None, the first line is at 0.
     """
     end, last = ring.half_flat, ring.wall(ring.half_flat)
     if hub is None:
@@ -89,8 +90,8 @@ def _stops(ring: Outline, hub: tuple[float, float] | None, first: float | None) 
         low, high = hub
         if not 0 < low < high < end:
             raise ValueError(
-                "the hub must act on the flat at 0 < s_0 < s_1 < half of the flat = "
-                f"{end:g} m, got s_0={low:g} m, s_1={high:g} m"
+                "the hub must act on the flat at 0 < s_0 < s_1 < "
+                f"{end:g} m (half of the flat), got s_0={low:g} m, s_1={high:g} m"
             )
     start = 0.0 if first is None else (first if first < NEAR * low else low)
     stop = end - last if last < NEAR * (end - high) else high

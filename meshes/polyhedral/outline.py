@@ -45,7 +45,7 @@ class Outline:
 
     @property
     def angle(self) -> float:
-        """Angle [rad] from the middle of a side to the corner; the fillet has the same angle."""
+        """Angle [rad] from the middle of a side to the corner, and angle of half the fillet."""
         return math.pi / self.z
 
     @property

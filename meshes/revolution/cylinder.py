@@ -1,4 +1,4 @@
-"""Half-sections of cylinders with contact on a part of their length, fine at its end."""
+"""Half-sections of cylinders in contact on a part of their length, fine at the contact's end."""
 
 import math
 
@@ -24,10 +24,10 @@ def half_cylinder(
 
     `contact` extends from 0 to the end of the contact. Beyond it, the cylinder continues by
     `overhang`, and the first cell has the size of the last contact cell. Cells below the rim have
-    the depth `first`; cells further inside are larger. `refine` 2 halves these cells and the cells
-    beyond the contact, but `contact` is unchanged. All lengths have the same unit. Boundaries:
-    "rim", "axis" or "bore", "start" (z = 0) and "end". Body: "body". Raises ValueError unless 0 <=
-    bore < R, overhang >= 0, and the stations ascend from 0.
+    the depth `first`; cells further inside are larger. `refine` 2 halves the depths of all cells
+    and the lengths of the cells beyond the contact, but not the lengths in `contact`. All lengths
+    have the same unit. Boundaries: "rim", "axis" or "bore", "start" (z = 0) and "end". Body:
+    "body". Raises ValueError unless 0 <= bore < R, overhang >= 0, and the stations ascend from 0.
     """
     z = np.asarray(contact, float)
     if not 0 <= bore < R < math.inf:

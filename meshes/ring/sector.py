@@ -1,7 +1,7 @@
 """Half a pitch of a ring under evenly spaced loads, as the conformal image of a block.
 
 The exponential function maps the rectangle of angle and ln r to the ring and preserves angles.
-Therefore, square cells of a block that is fine about the patch remain square.
+Therefore, square cells of a block that is fine at the loaded patch remain square.
 """
 
 import math
@@ -36,8 +36,8 @@ def half_sector(
     `cells` equal cells for `refine` 1; cells are larger outside. `refine` 2 halves all cells, and
     so on. Boundaries: "patch", "bore" and "rim" (the loaded wall includes the patch), "load cut"
     (theta = 0) and "free cut" (theta = pi/n). Body: "ring". `order` is 1 or 2; `straight` cells
-    have straight edges. Raises ValueError unless 0 < r_i < r_o, n >= 2, and `patch` is at most half
-    of the arc of half a pitch and at most the thickness of the wall.
+    have straight edges. Raises ValueError unless 0 < r_i < r_o, n >= 2, and `patch` is at most a
+    quarter of the pitch and at most about the thickness of the wall.
     """
     if not 0 < r_i < r_o < math.inf:
         raise ValueError(f"a ring must have 0 < r_i < r_o, got r_i={r_i:g} m, r_o={r_o:g} m")
@@ -65,7 +65,7 @@ def half_sector(
 def _renamed(
     block: Mesh2D, points: NDArray[np.float64], loaded: Wall, zone: float, straight: bool
 ) -> Mesh2D:
-    """Mesh with the cells of `block`, nodes at `points` (2, nodes), and the names of a ring."""
+    """Mesh with the cells of `block`, nodes at `points` (2, n), and boundary names of a ring."""
     walls = {"surface": loaded, "bottom": "rim" if loaded == "bore" else "bore"}
     names = NAMES | walls
     boundaries = {names[name]: facets for name, facets in (block.boundaries or {}).items()}

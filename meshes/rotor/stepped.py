@@ -115,6 +115,6 @@ def _check(parts: Sequence[Part]) -> None:
     for a, b in pairwise(parts):
         if not max(a[2], b[2]) < min(a[1], b[1]):
             raise ValueError(
-                "neighbouring parts must have a common section, but there is none between "
+                "the sections of neighbouring parts must overlap, got "
                 f"d_o={a[1]:g}, d_i={a[2]:g} m and d_o={b[1]:g}, d_i={b[2]:g} m"
             )

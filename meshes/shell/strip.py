@@ -13,7 +13,7 @@ from meshes.spring.path import Piece
 
 
 class _Path(NamedTuple):
-    """Points from the head to the tail, and the curves between them with their kinds."""
+    """Points from the head to the tail, curves between them, and whether each curve is an arc."""
 
     points: list[int]
     curves: list[int]
@@ -38,7 +38,7 @@ def swept_path(
     double the numbers of cells and halve `finest`.
 
     Boundaries: "head" and "tail" (first and last line across), "middle" (z = 0) and "edge". Nodes:
-    "head" and "tail" in the middle. Bodies: "leaves" and "arcs", if they exist. Normals point to
+    "head" and "tail", both at z = 0. Bodies: "leaves" and "arcs", if they exist. Normals point to
     the right of the path, seen from positive z.
     """
     pieces = list(path)
@@ -100,7 +100,7 @@ def _path(pieces: list[Piece], per_arc: int, per_leaf: int, leaf_ends: float) ->
 
 
 def _name(line: _Path, swept: list[tuple[int, int]]) -> None:
-    """Define physical groups; `swept` lists each curve's copy at the edge before its surface."""
+    """Define physical groups; in `swept`, each surface follows its curve at the edge."""
     surfaces = [i for i, (dim, _) in enumerate(swept) if dim == 2]
     head, tail = (
         [c for c in gmsh.model.getAdjacencies(0, point)[0] if c not in line.curves]

@@ -14,8 +14,9 @@ LINE3, QUAD9 = 8, 10  # gmsh's element types
 class ShellMesh:
     """Mesh of nine-node quadrilaterals in space.
 
-    `points` is (n, 3), `cells` (m, 9): corners, middles of the edges, centre. `boundaries` names
-    groups of edges (k, 3): ends and middle. `nodes` names single nodes, `bodies` groups of cells.
+    `points` is (n, 3), `cells` (m, 9): corners, middles of the edges, centre. `boundaries`
+    contains named groups of edges (k, 3): both end nodes and the middle node. `nodes` contains
+    named single nodes, and `bodies` contains named groups of cells.
     """
 
     points: NDArray[np.float64]

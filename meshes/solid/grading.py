@@ -4,10 +4,10 @@ import math
 
 
 def levels(cells: int, grading: float) -> list[float]:
-    """Ends, between 0 and 1, of `cells` cells with sizes that decrease as a geometric series.
+    """Return the ends of `cells` cells from 0 to 1, with sizes in a decreasing geometric series.
 
-    The end 0 is omitted. `grading` is the total ratio of first to last size. All meshes use the
-    same map: twice the number of cells halves the cells. Raises ValueError unless grading >= 1.
+    The end 0 is omitted. `grading` is about the ratio of the first to the last size. With twice the
+    number of cells, each cell is split into two. Raises ValueError unless grading >= 1.
     """
     if not 1 <= grading < math.inf:
         raise ValueError(f"grading must be finite and at least 1, got grading={grading:g}")

@@ -47,16 +47,17 @@ def solid_mesh(*, straight: bool = False) -> Mesh3D:
 
 
 def _order(kind: int, doflocs: Array) -> Indices:
-    """Index of gmsh's node for each node of scikit-fem, by positions in the unit cube.
+    """For each node of scikit-fem's cell, the index of gmsh's node at the same position.
 
-    Both cubes are right-handed; the first reference direction is therefore that of gmsh.
+    Positions in both unit cubes are compared in the same axes; the first reference direction is
+    therefore that of gmsh.
     """
     local = np.reshape(gmsh.model.mesh.getElementProperties(kind)[4], (-1, 3))
     return np.array([np.argmin(abs((local + 1) / 2 - x).sum(axis=1)) for x in doflocs])
 
 
 def _straighten(p: Array, t: Indices, X: Array) -> None:
-    """Move the nodes of every cell, at `X` (3, n) of its cube, to the map of its corners."""
+    """Move all nodes of each cell, at `X` (3, n) of the unit cube, to the trilinear map of `X`."""
     corner = ElementHex1()
     weight = np.array([corner.lbasis(X, k)[0] for k in range(CORNERS)])
     p[t] = np.einsum("mci,cn->mni", p[t[:, :CORNERS]], weight)

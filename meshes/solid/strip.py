@@ -91,7 +91,7 @@ def _face(x: float, y: float, heading: float, b: float, through: int) -> Face:
 
 
 def _layers(piece: Piece, before: Face, after: Face, cells: int) -> list[int]:
-    """Surfaces of the piece, one for each cell through its thickness; their sides are also arcs."""
+    """Surfaces of the leaf or arc, one for each cell through its thickness."""
     geo = gmsh.model.geo
     sides = []
     for start, end in zip(before[0], after[0], strict=True):

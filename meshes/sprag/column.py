@@ -34,8 +34,9 @@ class Reach:
     def stretched(self, share: Array, depth: Array) -> Array:
         """Lengths along the outline from the contact, for relative positions `share` from -1 to 1.
 
-        -1 is the left flank and 1 is the right flank. The lengths are equal on both sides near the
-        contact, and uniform over the whole outline from the `depth` 1.
+        -1 is the left flank and 1 is the right flank. At the relative `depth` 0 (the outline), the
+        lengths on both sides are equal near the contact. From the `depth` 1 inwards, the length is
+        a linear function of `share`.
         """
         end = np.where(share < 0, self.left, self.right)
         near = self.least * share + (end - self.least) * share**3

@@ -35,8 +35,8 @@ def sprag_sector(
     [rad]. Sprag and races may overlap or have a gap.
 
     The `zones` [unit of the radii] are half-widths of the fine zones at the inner and the outer
-    contact. With `refine` 1, `cells` equal cells lie on each half on both bodies; cells are larger
-    outside. `refine` 2 halves all cells, and so on. Bodies: "inner", "sprag" and "outer".
+    contact. With `refine` 1, each half of a zone has `cells` equal cells on both bodies; cells are
+    larger outside. `refine` 2 halves all cells, and so on. Bodies: "inner", "sprag" and "outer".
     Boundaries of the races: "inner.bore", "inner.rim", "outer.bore", "outer.rim", and the sections
     "left" and "right" of both races. Boundaries of the sprag: "sprag.inner" (the spiral),
     "sprag.outer" (the arc), and the flanks "sprag.left" and "sprag.right". Each race is centred on

@@ -76,7 +76,7 @@ class FirstContact:
 
     @property
     def theta(self) -> float:
-        """Angle at the pole between O and the inner contact."""
+        """Angle [rad] at the pole between the lines to O and to the inner contact."""
         x, y = self.pole
         return math.atan2(x * (y - self.R_i) - y * x, x * x + y * (y - self.R_i))
 
@@ -101,10 +101,10 @@ def first_contact(R_i: float, R_e: float, r_i: float, nu_0: float) -> FirstConta
 class Place:
     """Position of the sprag: rotated by `alpha` [rad], pole at the distance `D` [m] from O.
 
-    `shares` are the shares of the races in the overlaps of the inner and of the outer contact; the
-    rest belongs to the sprag. Bodies are meshed in the compressed state, so that forces act at
-    their real positions. `bends` [m] is the part of the overlaps that is included in the mesh: the
-    mean distance of the curved surfaces, weighted by the pressure.
+    `shares` are the fractions of the inner and of the outer overlap that are deflections of the
+    races; the rest is deflection of the sprag. Bodies are meshed in the compressed state, so that
+    forces act at their real positions. `bends` [m] are the overlaps that remain in the mesh at both
+    contacts: the mean distance between the curved surfaces, weighted by the pressure.
     """
 
     q: Races
@@ -185,7 +185,7 @@ class Place:
 
     @property
     def spiral(self) -> tuple[tuple[float, float], float, float, float]:
-        """Spiral of the compressed sprag: pole, first radius [m], its direction [rad], growth.
+        """Spiral of the compressed sprag: pole, radius rho_0 [m], its direction [rad], growth m.
 
         The direction is measured from +x.
         """
@@ -212,7 +212,7 @@ class Place:
         return replace(moved, shares=(-inner / d_i, outer / d_e), bends=(b_i, b_e))
 
     def turned(self, alpha: float) -> tuple["Place", float]:
-        """Approximate position rotated by `alpha` [rad], and the factor by which H then changes."""
+        """Approximate position rotated by `alpha` [rad], and ratio of its H to the present H."""
         far = Place.overlapping(self.q, alpha)
         share, (b_i, b_e) = far.H / self.H, self.bends
         # as the overlaps of both contacts share the whole

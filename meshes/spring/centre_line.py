@@ -62,7 +62,7 @@ def centre_line(
 
 
 def _merged(mesh: LineMesh) -> LineMesh:
-    """Mesh with its bodies "kind unit" combined into one body per kind and one per unit."""
+    """Mesh whose bodies, named "kind unit", are joined into one body per kind and one per unit."""
     bodies: dict[str, list[int]] = {}
     for name, elements in mesh.bodies.items():
         kind, unit = name.split()

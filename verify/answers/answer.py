@@ -69,8 +69,8 @@ class Criterion:
 class Answer:
     """Design value and criteria of a part, and sentences about effects without a criterion.
 
-    `failures` are further causes of failure, `unknowns` are reasons for which the verdict is
-    undecided, and `remarks` describe effects that do not change the verdict.
+    `failures` are causes of failure other than a criterion, `unknowns` are reasons for which the
+    verdict is undecided, and `remarks` describe effects that do not change the verdict.
     """
 
     design: Quantity | None
@@ -93,7 +93,7 @@ class Answer:
     def limiting(self) -> Criterion | None:
         """Criterion with the smallest margin.
 
-        Criteria with a doubt count only if all have a doubt.
+        Criteria with a `doubt` are considered only if every criterion has one.
         """
         deciding = [c for c in self.criteria if not c.doubt] or self.criteria
         return min(deciding, key=lambda c: c.margin, default=None)

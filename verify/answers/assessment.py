@@ -75,7 +75,7 @@ class Assessment:
     ) -> None:  # fmt: skip
         """Add the criterion for a contact pressure `p` [Pa].
 
-        The limit is the `given` one or that of the standard.
+        The limit is `given`, or that of the standard (ISO 76) if `given` is None.
 
         If the pressure is within the given limit but exceeds the limit of the standard, the
         criterion is undecided.

@@ -35,7 +35,8 @@ def slip(q: Any, v: Values, part: Assessment) -> None:
 def roller(q: Any, v: Values, part: Assessment) -> None:
     """Criterion of a crowned roller: largest pressure away from its ends.
 
-    If the ends carry load, the pressure at the ends is unknown and the part may be undecided.
+    If the ends carry load, the pressure at the ends is unknown; a part that meets the criterion is
+    then undecided.
     """
     p = v["p_max"]
     part.pressure("contact_pressure", "largest pressure away from the ends", p, q.E_1, q.E_2,
@@ -57,7 +58,7 @@ def crowns(q: Any, v: Values, part: Assessment) -> None:
 def end_face(q: Any, v: Values, part: Assessment) -> None:
     """Criterion of a crowned roller: pressure at mid-length.
 
-    There is no criterion for the pressure at the end face: it is unbounded in this model.
+    There is no criterion for the pressure at the end face, because it is unbounded in this model.
     """
     part.pressure("contact_pressure", "pressure at mid-length, crowned", v["p_mid"],
                   q.E_1, q.E_2, option=OTHER)  # fmt: skip

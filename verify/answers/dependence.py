@@ -56,6 +56,6 @@ def _sentence(one: Influence, margin: float) -> str:
 
 
 def _changed(change: float, margin: float) -> str:
-    """Text of a relative change of the margin; it states whether the part then fails."""
+    """Text of a relative change of the margin, with "(fails)" if it makes the part fail."""
     text = f"{100 * change:+.0f} %" if math.isfinite(change) else "no bound"
     return f"{text} (fails)" if margin >= 1 > (1 + change) * margin else text

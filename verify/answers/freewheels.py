@@ -90,7 +90,7 @@ def clutch(q: Any, v: Values, part: Assessment) -> None:
 
 
 def _permissible(q: Any) -> Quantity | None:
-    """Largest permissible torque at the given axial load, for parts without tolerances."""
+    """Largest permissible torque at the given axial load; all tolerances are set to zero."""
     exact = q.model_copy(update={"X_tol": 0.0, "r_tol": 0.0, "R_tol": 0.0, "s_mu": 0.0})
     under = criteria_under(exact, lambda one: one.values, clutch)
     return permissible(q.duty.of_torque, q.T, " at this axial load", under)

@@ -78,7 +78,7 @@ def completed(
 
 
 def _with_defaults(case_id: str, message: str) -> str:
-    """Advice if inputs are missing: a case of the same part that assumes omitted inputs."""
+    """Advice if inputs are missing: use another case, which assumes values for omitted inputs."""
     other = DEFAULTS.get(case_id)
     return (
         f"; case {other} assumes values for omitted inputs" if other and MISSING in message else ""

@@ -12,7 +12,7 @@ EXPELLED = "the rollers are expelled from the wedge: tan(α/2) exceeds the frict
 
 
 def round_ring(q: Any, v: Values, part: Assessment) -> None:
-    """Criterion of a round ring expanded to its rollers: Tresca stress in the bore."""
+    """Criterion of a round ring that pressure expands to the rollers: Tresca stress in the bore."""
     per_pressure = 2 * q.d_e**2 / (q.d_e**2 - q.d_i**2)
     strength = yield_strength(q.R_p, q.E, wall=q.delta_1)
     stress = per_pressure * v["p"]

@@ -30,7 +30,7 @@ class Rule:
     without: str = NO_PART
 
     def assess(self, inputs: Any, values: Values, part: Assessment) -> None:
-        """Add the criteria of a part to `part`."""
+        """Add the criteria for `inputs` and `values` to `part`."""
         if not self.criteria:
             part.unknowns.append(self.without)
             return

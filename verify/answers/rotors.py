@@ -18,7 +18,7 @@ MODES = 3  # whose whirl frequencies the formulas of a shaft give
 
 
 def link(q: Any, _: Values, part: Assessment) -> None:
-    """Criterion of a sprag clutch as a link: every slice of the sprags must be in contact."""
+    """Criterion of a sprag clutch between rotors: every slice of its sprags must be in contact."""
     if count := open_slices(q, "together"):
         part.failures.append(f"{count} slices of the sprags are without contact")
     part.unknowns.append("a stiffness has no limit: use the stiffnesses as a link in a rotor model")
@@ -90,7 +90,7 @@ def _separated(speed: float, critical: Sequence[float], part: Assessment) -> Non
 
 def _distance(low: float, high: float, margin: float, critical: float, part: Assessment,
               *, assumed: bool) -> None:  # fmt: skip
-    """Add the criterion that a critical speed is outside the speed range, extended by its margin.
+    """Add the criterion that a critical speed is outside `low` to `high`, extended by `margin`.
 
     `low`, `high` and `critical` are in rad/s; `margin` is relative.
     """

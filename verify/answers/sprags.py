@@ -73,14 +73,14 @@ def clutch(q: Any, _v: Values, part: Assessment) -> None:
 
 
 def _permissible(q: Any) -> Quantity | None:
-    """Largest slowly increasing torque, with the crown that was given or assumed for the part."""
+    """Permissible torque if increased slowly; the crown of the sprags is given or assumed."""
     part_as_made = q.model_copy(update={"Q": crowned_for(q)})
     under = criteria_under(part_as_made, lambda _q: {}, clutch)
     return permissible(as_torque_grows(q), q.T, ", quasi-static", under)
 
 
 def engagement(q: Any, v: Values, part: Assessment) -> None:
-    """Criteria at the first peak of a suddenly applied torque: friction, roll-over and pressure."""
+    """Criteria at the first force peak under a sudden torque: friction, roll-over and pressure."""
     if "N_max" not in v or q.rolls_over:
         part.failures.append(ROLLS_OVER)
         return
@@ -102,7 +102,7 @@ def stick_slip(q: Any, v: Values, part: Assessment) -> None:
 
 
 def crown(q: Any, v: Values, part: Assessment) -> None:
-    """Criteria of a crowned sprag: friction, and largest pressure in the first peak."""
+    """Criteria of a crowned sprag: friction, and largest pressure at the first force peak."""
     if "p_peak" not in v:
         part.failures.append("no state within the sprags' profile carries the first peak")
         return

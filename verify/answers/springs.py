@@ -51,7 +51,7 @@ def stages(q: Any, v: Values, part: Assessment) -> None:
 
 
 def curve(q: Any, v: Values, part: Assessment) -> None:
-    """Criteria of the curve: bending stress at the stroke, and the largest stroke of Eq. 12.
+    """Criteria of the curve: bending stress at the stroke, and the largest stroke by Eq. 12.
 
     The design value is the force at the stroke, by two straight lines.
     """

@@ -68,9 +68,9 @@ def hand_over(text: str, out: Path | None) -> None:
 def template(case: Case, folder: Path = Path()) -> str:
     """Text of a parameter file with the paper's numbers; `folder` is the folder of the file.
 
-    For a case with assumptions, the required inputs come first; the optional inputs follow, each
-    after a #. Required and optional inputs together are the inputs of the paper. For a case without
-    assumptions, the inputs follow in the order of the model.
+    For a case with assumptions, the required inputs come first. The optional inputs with the
+    numbers of the paper follow, and then examples of further inputs, each after a #. For a case
+    without assumptions, the inputs follow in the order of the model.
     """
     printed = any(meta(field)["claims"] for field in case.inputs.model_fields.values())
     outside = case.id not in (*CASES.ids, *DEEP.ids)
@@ -90,7 +90,7 @@ def template(case: Case, folder: Path = Path()) -> str:
 
 
 def _instead(model: type[Inputs]) -> str:
-    """Commented lines with the alternative set of inputs; empty if the model has none."""
+    """Lines after a # with the alternative set of inputs; empty if the model has none."""
     what, values = model.instead
     if not what:
         return ""

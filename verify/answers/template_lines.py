@@ -28,10 +28,10 @@ def sections(
     also: Sequence[str] = (),
     more: Sequence[tuple[str, str]] = (),
 ) -> str:
-    """Lines with the required inputs, then optional inputs and examples, which are comments (#).
+    """Lines with the required inputs; then, each after a #, the optional inputs and the examples.
 
-    `also` names optional inputs that are listed with the required ones; `more` contains further
-    optional lines.
+    `whose` states the origin of the numbers, such as "the paper's". `also` names optional inputs
+    that are listed with the required ones; `more` contains further optional lines.
     """
     known = {one.name: one for one in assumptions}
     fields = {n: f for n, f in model.model_fields.items() if not is_table(f)}
@@ -61,7 +61,7 @@ def _line(name: str, field: FieldInfo, known: Mapping[str, Assumption]) -> tuple
 
 
 def _hidden(name: str, field: FieldInfo, known: Mapping[str, Assumption]) -> tuple[str, str]:
-    """Line of an input after a #, and its comment."""
+    """Assignment of an input, after a #, and its comment."""
     text, about = _line(name, field, known)
     return f"# {text.removeprefix('# ')}", about
 
@@ -109,7 +109,7 @@ def _wrapped(text: str, width: int) -> list[str]:
 
 
 def assigned(name: str, field: FieldInfo, value: Any) -> str:
-    """Assignment such as `r_i = "19.44 mm"`; a comment (#) if an omitted input has this value."""
+    """Assignment such as `r_i = "19.44 mm"`; after a # if `value` is that of an omitted input."""
     about = meta(field)
     unit, left_out = about["unit"], about["omitted"] != REQUIRED and about["omitted"] == value
     if value is None:
@@ -120,7 +120,7 @@ def assigned(name: str, field: FieldInfo, value: Any) -> str:
 
 
 def _literal(value: Any, unit: str) -> str:
-    """Shortest TOML value that is read as `value` [SI], with at least six digits."""
+    """Shortest TOML value that is read as `value` [SI], rounded to six or more digits."""
     if isinstance(value, str):
         return f'"{value}"'
     if isinstance(value, int) or unit == "1":

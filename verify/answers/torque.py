@@ -50,8 +50,8 @@ def permissible(
     """Largest torque at which all criteria are met; None if there is none.
 
     `condition` follows the words "permissible torque" in the description of the result. `limits`
-    are the limits of the formulas, sorted by torque. `T` [N m] is the torque of the part. `under`
-    gives the criteria of the part at another torque [N m].
+    are the limits that the formulas give, sorted by torque. `T` [N m] is the torque of the part.
+    `under` gives the criteria of the part at another torque [N m].
     """
     if not limits:
         return None

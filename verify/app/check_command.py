@@ -81,7 +81,7 @@ def run_check(path: Path, options: Options) -> int:
 def check_part(
     file: ParameterFile, named: str, options: Options, where: Where, command: str = ""
 ) -> Checked:
-    """Answer for the inputs of a file, with evidence; error messages call the file `named`.
+    """Check the inputs of a file as `options` require; error messages call the file `named`.
 
     Raises InputError if finite elements or the simulation in time cannot solve the inputs.
     """
@@ -128,7 +128,8 @@ def in_system(checked: Checked, system: System) -> Checked:
 def exit_status(checked: Checked) -> int:
     """Exit status: 0 if the part holds, 1 if the part or a row fails, 3 for "cannot say".
 
-    It is also 3 if the reference has no value.
+    If rows failed only because the reference has no value, the answer is "cannot say", unless the
+    part fails.
     """
     rows = checked.result.rows
     if any(row.status in FAILED for row in rows) and not why_not_solved(rows):

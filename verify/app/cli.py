@@ -1,4 +1,4 @@
-"""The command `freewheel`; exit status 0: passed, 1: a row failed, 2: wrong input."""
+"""The command `freewheel`; exit status 0: passed, 1: failed, 2: wrong input, 3: undecided."""
 
 import errno
 import os
@@ -65,7 +65,7 @@ def verify(
     cases
         Cases to run; the default is all cases (see `freewheel list`).
     quick
-        Run only the fast cases of every subject; rows are judged with the same requirements.
+        Run only the fast cases of every subject; their rows are judged as without this option.
     jobs
         Number of processes; 0 for one per core.
     engine
@@ -336,7 +336,7 @@ def run(arguments: list[str]) -> int:
 def _traced() -> str:
     """Write the traceback of the present error to a file.
 
-    Returns the name of the file in words, or the reason why it was not written.
+    Returns a phrase with the name of the file, or with the reason why it was not written.
     """
     try:
         with tempfile.NamedTemporaryFile(

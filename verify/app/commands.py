@@ -138,7 +138,7 @@ def _others(cases: Sequence[Case], known: Collection[str]) -> list[Case]:
 def _solved_for_report(
     work: list[Job], where: Where, keys: Mapping[str, str]
 ) -> list[CaseResult]:  # fmt: skip
-    """Judged cases, which are stored; meanwhile, the pictures of their report are drawn."""
+    """Solve and judge cases, store the results, and draw the report's pictures at the same time."""
     from reports.ahead import Ahead
 
     if not work:
@@ -209,8 +209,8 @@ def write_report(
 ) -> bool:  # fmt: skip
     """Write the report into `out`; returns whether all parts were written without problems.
 
-    Otherwise, the reasons are printed, such as a missing program that a substitute replaces. With
-    the `keys` of all judged cases, only changed files are written.
+    Problems are printed, such as a missing program that a substitute replaces. If `use_cache` is
+    True and `keys` (case: key of its judged result) is given, only changed files are written.
     """
     from reports.origins import Origins  # only the command line may import reports
     from reports.write import write

@@ -62,7 +62,7 @@ def run_explain(words: Sequence[str], *, as_json: bool, jobs: int, use_cache: bo
 
 
 def _verdicts(found: Sequence[FormulaVerdict], *, as_json: bool) -> int:
-    """Print the stored verdicts of an equation in each of its forms; return the exit status."""
+    """Print the verdicts of an equation as printed and as corrected; return the exit status."""
     if as_json:
         print(json.dumps([asdict(one) for one in found], ensure_ascii=False))
     else:
@@ -112,9 +112,10 @@ def find_row(name: str, ids: Sequence[str], where: str = "") -> str:
     """Id of the row that `name` matches.
 
     `name` is the id of the row, the id without the case, a part of the id, or words of the id, in
-    this order of precedence. A complete earlier name takes precedence over parts of present names,
-    and these over parts of earlier names. A row takes precedence over its convergence row. Raises
-    InputError with a list of the matches unless exactly one row matches.
+    this order of precedence. Former names of renamed rows are also accepted: a complete former name
+    takes precedence over parts of present names, and these over parts of former names. A row takes
+    precedence over its convergence row. Raises InputError with a list of the matches unless exactly
+    one row matches.
     """
     text = _plain(name)
     if not text:

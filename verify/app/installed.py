@@ -24,7 +24,7 @@ def mismatches(lock: str) -> list[str]:
 
 
 def _applies(marker: str) -> bool:
-    """Whether an entry for certain systems applies to this system; False if that is unknown."""
+    """Whether a `marker` of the lock file applies to this system; False if this is unknown."""
     try:
         from packaging.markers import Marker
     except ImportError:

@@ -144,10 +144,9 @@ class Part:
 def run(case: str | Path, inputs: Mapping[str, Any] | None = None, *, cache: bool = True) -> Run:
     """Solve and judge a case, given by name, case file ("my_pipe.py") or part ("clutch.toml").
 
-    `inputs` are texts with units, such as {"r_i": "40 mm"}, for inputs other than the default;
-    omitted inputs have the values of `freewheel init`. With `cache`, stored results are used. A
-    longer run writes its progress to stderr. Raises InputError (a ValueError) with a message of one
-    line.
+    `inputs` contains the inputs to change, as texts with units, such as {"r_i": "40 mm"}; the other
+    inputs have the values of `freewheel init`. With `cache`, stored results are used. A run that
+    takes long displays its progress. Raises InputError (a ValueError) with a message of one line.
     """
     if Path(case).suffix == ".toml" or inputs:
         part = _part(case, inputs)

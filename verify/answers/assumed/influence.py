@@ -37,7 +37,7 @@ class Influence:
 
     @property
     def largest(self) -> float:
-        """Larger magnitude of the relative changes `at_low` and `at_high`.
+        """The larger of the magnitudes of `at_low` and `at_high`.
 
         It is infinite if the formulas have no solution at `low` or `high`.
         """
@@ -58,8 +58,8 @@ def influence(
 
     `result` is the key of a value, or a function that computes a number from inputs and values.
     Each input is varied alone over its usual range, or by 10 %. Assumed inputs that are derived
-    from the varied input by a rule change with it. Texts, tables and inputs used by --dynamic only
-    are omitted. Raises ValueError if the formulas have no result at the given inputs.
+    from the varied input by a rule change with it. Texts, tables, and inputs that only --dynamic
+    uses, are omitted. Raises ValueError if the formulas have no result at the given inputs.
     """
     of = result if callable(result) else _by_key(result)
     middle = _value(case, inputs, of)
@@ -108,7 +108,7 @@ class _Study:
         return (1 - STEP) * value, (1 + STEP) * value
 
     def _derived(self, name: str) -> list[Assumption]:
-        """Assumed numbers that a rule derives from other inputs, in the order of evaluation."""
+        """Assumptions for numbers that rules compute, except `name`, in the order of evaluation."""
         fields = self.case.inputs.model_fields
         return [
             one for one in ASSUMPTIONS[self.case.id]

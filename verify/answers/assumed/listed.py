@@ -22,7 +22,7 @@ def print_assumed(assumed: Sequence[Assumed]) -> None:
 
 
 def with_sources(result: CaseResult, assumed: Sequence[Assumed]) -> CaseResult:
-    """Result of a case in which the source of each assumed input is the assumption."""
+    """Copy of the result, in which each assumed input has the source "assumed, ..."."""
     sources = {one.name: f"assumed, {one.source}" for one in assumed}
     inputs = tuple(replace(i, source=sources.get(i.name, i.source)) for i in result.inputs)
     return replace(result, inputs=inputs)

@@ -18,7 +18,7 @@ ROLLER_FRICTION = Assumption(
 
 
 def static_pressure(g: Given) -> float | None:
-    """Permissible static contact pressure [Pa] of steel parts by ISO 76; None if not of steel."""
+    """Permissible static contact pressure [Pa] of steel parts by ISO 76; None for others."""
     moduli = [g.E, *(g[name] for name in ("E_r", "E_i", "E_o") if g.get(name) is not None)]
     return contact_pressure(None, *moduli).value
 

@@ -15,7 +15,7 @@ DIGITS = 6  # of a derived value, so that the printed value is the one used
 
 
 def given_values(model: type[Inputs], raw: Mapping[str, Any]) -> tuple[Given, bool]:
-    """All inputs in SI units, omitted inputs included, and whether all values could be read."""
+    """Inputs in SI units, with the defaults of omitted inputs, and whether all values are valid."""
     fields, found, readable = model.model_fields, Given(), True
     for name, field in fields.items():
         omitted = meta(field)["omitted"]
@@ -58,7 +58,7 @@ def read_value(model: type[Inputs], name: str, value: Any) -> Any:
 
 
 def si_value(model: type[Inputs], one: Assumption, rule: Any, given: Given) -> Any:
-    """Value [SI] that results from `rule`: an assumed value, or one end of its usual range."""
+    """Value [SI] that results from `rule`: an assumed value, or a limit of its usual range."""
     return read_value(model, one.name, raw_value(model, replace(one, value=rule), given))
 
 

@@ -40,7 +40,11 @@ def wedge_angle(R: float, r: float, X: float) -> float:
 
 
 def _flat(q: Any, quantity: str, *, inverse: bool) -> tuple[SharedReading, ...]:
-    """Effect of flats that are farther from the axis than nominal by `OFF`."""
+    """Effect of flats whose distance from the axis exceeds its nominal value by `OFF`.
+
+    `inverse` is True for a quantity that is inversely proportional to tan(half the wedge angle),
+    and False for a proportional quantity.
+    """
     nominal, real = (math.tan(wedge_angle(q.R, q.r, X)) for X in (q.X, q.X + OFF))
     if not real > 0:
         return ()

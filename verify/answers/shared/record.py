@@ -16,7 +16,7 @@ class SharedReading:
     `effect` is the resulting error in `quantity`, which formula and reference share: (value of
     formula and reference - value of the part)/value of the part. `effect` is added with its sign to
     the difference of a row; it is None if the error is unknown for these inputs. `source` is the
-    source of `effect`.
+    source of `effect`. `part` states what applies to the real part instead of the `assumption`.
     """
 
     assumption: str

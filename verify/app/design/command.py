@@ -80,7 +80,7 @@ def files(outcome: Outcome, repeat: str) -> Mapping[str, bytes]:
 
 
 def _write(made: Mapping[str, bytes], out: Path) -> None:
-    """Write every file completely; remove the selected spring of an earlier task."""
+    """Write all files; if no spring was selected, remove the file of a spring selected earlier."""
     for name, content in made.items():
         try:
             write_whole(out / name, partial(_fill, content))

@@ -51,7 +51,7 @@ def profiles(outcome: Outcome) -> Curves:
 
 
 def pressures(outcome: Outcome) -> Curves:
-    """Plot of the pressure along the sprag at the largest torque: slices, strips, half-space."""
+    """Plot of pressures along the sprag at the largest torque, by slices, strips and half-space."""
     c = [check for check in outcome.checks if check.which == "nominal"][-1]
     l = outcome.task.clutch.l  # noqa: E741
     half = _thinned(c.half.y, DOTS)
