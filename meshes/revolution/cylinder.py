@@ -20,7 +20,7 @@ def half_cylinder(
     first: float,
     refine: int = 1,
 ) -> MeshQuad1:
-    """Mesh of the half z >= 0 of a cylinder of radius `R`; `contact` are stations z of the contact.
+    """Mesh of the half z >= 0 of a cylinder of radius `R`; `contact` contains z of contact nodes.
 
     `contact` extends from 0 to the end of the contact. Beyond it, the cylinder continues by
     `overhang`, and the first cell has the size of the last contact cell. Cells below the rim have

@@ -46,7 +46,7 @@ class Reach:
 
 
 def reaches(at: Placed) -> tuple[Reach, Reach]:
-    """Lengths `Reach` along the spiral and along the arc."""
+    """Lengths from the contacts to the flanks, along the spiral and along the arc."""
     sprag = at.sprag
     low, high = (abs(sprag.spiral_length(at.theta, end)) for end in sprag.below)
     left, right = (abs(end - at.phi) * sprag.r_e for end in sprag.above)

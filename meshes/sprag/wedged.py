@@ -220,7 +220,10 @@ class Place:
         return replace(self, alpha=alpha, D=D, bends=(share * b_i, share * b_e)), share
 
     def mesh(self, zones: tuple[float, float], cells: int) -> "Mesh2D":
-        """Mesh of one pitch with `cells` on half of each fine zone `zones` [m]."""
+        """Mesh of one pitch with `cells` cells on each half of the fine zones.
+
+        `zones` are the half-widths [m] of the fine zones at the inner and the outer contact.
+        """
         from meshes.sprag.sector import sprag_sector
 
         q, at = self.q, self.drawn

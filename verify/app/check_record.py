@@ -48,7 +48,7 @@ def check_record(checked: Checked, inputs: Inputs, values: Values) -> dict[str, 
 
 
 def _findings(result: CaseResult, dynamic: DynamicResult | None) -> Sequence[str]:
-    """Findings of the formulas; the first may be replaced by that of the simulation in time."""
+    """Findings, of which the first is that of the simulation in time if this is available."""
     if dynamic is None or not dynamic.first:
         return result.findings
     return dynamic.first + result.findings[1:]
