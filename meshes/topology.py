@@ -23,7 +23,7 @@ NODES = 500_000  # of all that are stored, with 200 bytes each
 class Topology:
     """Mesh whose nodes can be moved.
 
-    `source` (n,) is the index of each node of `mesh` among the nodes that were read.
+    `source` (n,) is the index of each node of `mesh` among the nodes read from gmsh.
     """
 
     mesh: Mesh2D
@@ -31,7 +31,7 @@ class Topology:
 
     @classmethod
     def of(cls, mesh: Mesh2D, t: Indices) -> "Topology":
-        """Topology of `mesh`, whose cells were read as nodes `t` (k, m) in scikit-fem's order."""
+        """Topology of `mesh`; `t` (k, m) are gmsh's nodes of its cells in scikit-fem's order."""
         own = np.asarray(mesh.dofs.element_dofs)
         source = np.empty(mesh.doflocs.shape[1], np.int64)
         source[own] = t
@@ -39,7 +39,7 @@ class Topology:
         return cls(mesh, source)
 
     def at(self, p: Array) -> Mesh2D:
-        """Mesh with new positions `p` (2, n) of the nodes that were read."""
+        """Mesh with new positions `p` (2, n) of the nodes in gmsh's order."""
         mesh = copy(self.mesh)
         mesh.doflocs = np.ascontiguousarray(p[:, self.source])
         return mesh

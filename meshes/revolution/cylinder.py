@@ -20,14 +20,15 @@ def half_cylinder(
     first: float,
     refine: int = 1,
 ) -> MeshQuad1:
-    """Mesh of the half z >= 0 of a cylinder of radius `R`; `contact` contains z of contact nodes.
+    """Mesh of the half z >= 0 of a cylinder of radius `R`, in contact on a part of its length.
 
-    `contact` extends from 0 to the end of the contact. Beyond it, the cylinder continues by
-    `overhang`, and the first cell has the size of the last contact cell. Cells below the rim have
-    the depth `first`; cells further inside are larger. `refine` 2 halves the depths of all cells
-    and the lengths of the cells beyond the contact, but not the lengths in `contact`. All lengths
-    have the same unit. Boundaries: "rim", "axis" or "bore", "start" (z = 0) and "end". Body:
-    "body". Raises ValueError unless 0 <= bore < R, overhang >= 0, and the stations ascend from 0.
+    `contact` contains the ascending z of the nodes in contact, from 0 to the end of the contact.
+    Beyond this end, the cylinder continues by `overhang`, and the first cell has the size of the
+    last contact cell. Cells below the rim have the depth `first`; cells further inside are larger.
+    `refine` 2 halves the depths of all cells and the lengths of the cells beyond the contact, but
+    not the lengths in `contact`. All lengths have the same unit. Boundaries: "rim", "axis" or
+    "bore", "start" (z = 0) and "end". Body: "body". Raises ValueError unless 0 <= bore < R,
+    overhang >= 0, and `contact` ascends from 0.
     """
     z = np.asarray(contact, float)
     if not 0 <= bore < R < math.inf:

@@ -13,7 +13,7 @@ Array = NDArray[np.float64]
 
 
 def section(*, r: ArrayLike, z: ArrayLike) -> MeshQuad1:
-    """Mesh of rectangular cells between ascending `r` >= 0 and `z`, with straight edges.
+    """Mesh of rectangular cells with edges at the ascending radii `r` >= 0 and positions `z`.
 
     Boundaries: "axis" (if the first r is 0) or "bore", "rim", "start" (first z) and "end". Body:
     "body". Raises ValueError unless r and z have at least two ascending values, and no r is

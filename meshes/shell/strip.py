@@ -32,10 +32,10 @@ def swept_path(
 ) -> ShellMesh:
     """Mesh of the leaves and arcs of a plane path, swept from z = 0 to z = `width`.
 
-    `per_arc` and `per_leaf` cells lie along each piece. `across` cells lie over the width; they are
-    equal, or grow from about `finest` (in the unit of the path) at the edge z = `width`. Cells at
-    the ends of a leaf are about `leaf_ends` times as long as in its middle. To halve every cell,
-    double the numbers of cells and halve `finest`.
+    `per_arc` cells lie along each arc, and `per_leaf` cells along each leaf. `across` cells lie
+    over the width; they are equal, or grow from about `finest` (in the unit of the path) at the
+    edge z = `width`. Cells at the ends of a leaf are about `leaf_ends` times as long as in its
+    middle. To halve every cell, double the numbers of cells and halve `finest`.
 
     Boundaries: "head" and "tail" (first and last line across), "middle" (z = 0) and "edge". Nodes:
     "head" and "tail", both at z = 0. Bodies: "leaves" and "arcs", if they exist. Normals point to

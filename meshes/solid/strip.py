@@ -30,13 +30,13 @@ def solid_strip(
 ) -> Mesh3D:
     """Mesh of a strip of thickness `b` about a path in z = 0, swept to z = `width` [same unit].
 
-    There are `through` cells over b, `per_arc` and `per_leaf` along each piece, and `across` over
-    the width. Cells at z = width are finer than cells at z = 0 by a factor of about `grading`. The
-    first reference direction of every cell is along the path. Boundaries: "head" and "tail" (the
-    end faces), "left" and "right" seen from the head, "middle" (z = 0) and "edge". Bodies: "arcs"
-    and "leaves". `order` is 1 or 2; `straight` cells have straight edges. Raises ValueError for
-    lengths and numbers that are not positive, and for an arc with a radius of at most half the
-    thickness.
+    There are `through` cells over b, `per_arc` along each arc, `per_leaf` along each leaf, and
+    `across` over the width. Cells at z = width are finer than cells at z = 0 by a factor of about
+    `grading`. The first reference direction of every cell is along the path. Boundaries: "head" and
+    "tail" (the end faces), "left" and "right" seen from the head, "middle" (z = 0) and "edge".
+    Bodies: "arcs" and "leaves". `order` is 1 or 2; `straight` cells have straight edges. Raises
+    ValueError for lengths and numbers that are not positive, and for an arc with a radius of at
+    most half the thickness.
     """
     _check(pieces, b, width, (through, per_arc, per_leaf, across))
     with gmsh_session():

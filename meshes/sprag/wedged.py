@@ -24,8 +24,8 @@ GROWTHS = 1e-5, 0.95  # range of growths of the spiral in the search for a wedge
 class Races:
     """Set of z sprags of width `b` between the races `R_id`..`R_i` and `R_e`..`R_ed` [m].
 
-    `r_i` [m] is the radius of curvature of the spiral at first contact, `nu_0` [rad] its wedge
-    angle.
+    At first contact, the spiral has the radius of curvature `r_i` [m], and the wedge angle is
+    `nu_0` [rad].
     """
 
     R_id: float

@@ -83,7 +83,7 @@ class Answer:
     def verdict(self) -> Verdict:
         """Verdict of the part.
 
-        A criterion that is not met takes precedence over an unknown quantity.
+        The part fails if a criterion is not met, even if other quantities are unknown.
         """
         if self.failures or not all(c.is_met for c in self.criteria):
             return Verdict.FAILS

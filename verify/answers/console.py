@@ -42,7 +42,7 @@ def _state(criterion: Criterion) -> str:
 
 
 def number(value: float, unit: str, system: System = "mm") -> str:
-    """Text of a value [SI] in its display unit or in the units of `system`, with four digits."""
+    """Text of a value [SI] in the display `unit`, converted to `system`, with four digits."""
     unit = unit_in(unit, system)
     size = value / units.factor(unit)
     text = f"{size:.0f}" if WHOLE[0] <= abs(size) < WHOLE[1] else f"{size:.4g}"

@@ -15,7 +15,7 @@ SPRAG_LOAD = (
 
 
 def under_pressure(q: Any, _: Values, part: Assessment) -> None:
-    """Criteria of a ring under pressure that is free in the axial direction: stress, buckling."""
+    """Criteria of a ring, free in the axial direction, under pressure: stress, buckling."""
     loads = {"r_i": q.r_i, "r_o": q.r_o, "p_i": q.p_i, "p_o": q.p_o}
     hoop = lame.stresses([q.r_i, q.r_o], **loads)[1]
     radial = np.array([-q.p_i, -q.p_o])

@@ -107,7 +107,7 @@ def bending_stress(q: Any, F: float, part: Assessment) -> None:
 
 
 def _guide(q: Any, part: Assessment) -> None:
-    """Add a remark if the spring buckles below its working force if its head is not guided."""
+    """Add a remark if the spring, with a free head, buckles below its working force."""
     strip = {"b": q.b, "h": q.h, "E": q.E, "nu": q.nu}
     F = float(column.critical_force("free", **q.path, **strip))
     if q.F >= F:  # nan where it never buckles

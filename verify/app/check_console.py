@@ -38,7 +38,7 @@ class Checked:
 
 
 def is_notable(one: SharedReading) -> bool:
-    """Whether the shared error of formula and reference is known and at least NOTABLE."""
+    """Whether the error that formula and reference share is known and at least NOTABLE."""
     return one.effect is not None and abs(one.effect) >= NOTABLE
 
 

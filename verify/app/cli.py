@@ -248,7 +248,7 @@ def store(
     Parameters
     ----------
     case
-        Case whose stored results are listed, with their place and whether they are valid
+        Case whose stored results are listed, with their files and whether they are valid
         for this code.
     json
         Print JSON instead of text.

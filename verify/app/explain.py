@@ -73,7 +73,7 @@ def _verdicts(found: Sequence[FormulaVerdict], *, as_json: bool) -> int:
 def _file(word: str) -> Path | None:
     """Path of a parameter file or case file; None if `word` is not a file.
 
-    The file may be unreadable; reading it states the error.
+    The file may be unreadable; the function that reads it then reports the error.
     """
     path = Path(word)
     named = word.endswith((".toml", ".py")) or path.is_file() or (os.sep in word and path.is_dir())
@@ -93,12 +93,18 @@ def _ids_of_paper(name: str) -> Iterator[str]:
 
 
 def row_ids(case: Case, inputs: Inputs, *, paper: bool) -> list[str]:
-    """Ids of all rows of a case, determined without finite elements."""
+    """Ids of the rows of a case, determined without finite elements.
+
+    Without `paper`, rows that are only judged at the inputs of the paper are omitted.
+    """
     return [row.id for row in unsolved_rows(case, inputs, paper=paper)]
 
 
 def unsolved_rows(case: Case, inputs: Inputs, *, paper: bool) -> list[Row]:
-    """All rows of a case without finite elements; rows that need them have the status SKIP."""
+    """Rows of a case without finite elements; rows that need them have the status SKIP.
+
+    Without `paper`, rows that are only judged at the inputs of the paper are omitted.
+    """
     context = Context(case.id, inputs, case.analytic(inputs), (), paper)
     return [
         row

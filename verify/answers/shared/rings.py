@@ -17,7 +17,7 @@ def narrow_race(r_i: float, r_o: float, nu: float, *, bore: bool) -> float:
     """Ratio of the displacement of a loaded wall in plane stress to that in plane strain, minus 1.
 
     The pressure acts on the bore if `bore` is True, otherwise on the rim. Both displacements are
-    Lamé's.
+    by Lamé's formulas.
     """
     loaded, other = (r_i, r_o) if bore else (r_o, r_i)
     stress = (1 - nu) * loaded**2 + (1 + nu) * other**2
