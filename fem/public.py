@@ -14,7 +14,7 @@ from typing import Any
 
 
 def lazily(package: str, file: str) -> tuple[Callable[[str], Any], Callable[[], list[str]]]:
-    """Functions `__getattr__` and `__dir__` of a package whose `__init__.py` is `file`.
+    """Return `__getattr__` and `__dir__` for the package whose `__init__.py` is `file`.
 
     `__all__` is the sorted list of the public names. Unknown names raise AttributeError.
 
@@ -32,7 +32,7 @@ def lazily(package: str, file: str) -> tuple[Callable[[str], Any], Callable[[], 
 
     @cache
     def earlier() -> dict[str, str]:
-        """Present name of every public name of version 0.1 that was renamed."""
+        """For each renamed public name of version 0.1, the present name."""
         stub = ast.parse(Path(file).with_suffix(".pyi").read_text("utf-8"))
         named = [
             x for x in stub.body if isinstance(x, ast.Assign) and isinstance(x.value, ast.Name)
