@@ -17,7 +17,7 @@ REFUSED = (Verdict.UNSAFE, *UNUSABLE)  # no corrected form of such a verdict is 
 
 
 def advised(verdicts: Sequence[FormulaVerdict]) -> tuple[FormulaVerdict, ...]:
-    """Verdicts in which unusable printed forms without advice refer to their corrected forms."""
+    """The given verdicts; an unusable printed form without advice refers to its corrected form."""
     corrected = {(v.paper, v.name): v for v in verdicts if v.form is Form.CORRECTED}
     return tuple(_advised(v, corrected.get((v.paper, v.name))) for v in verdicts)
 
@@ -28,7 +28,7 @@ def _advised(one: FormulaVerdict, corrected: FormulaVerdict | None) -> FormulaVe
 
 
 def _of_corrected(one: FormulaVerdict) -> str:
-    """Text of the recommended alternative: the corrected form if usable, and other advice."""
+    """Text that recommends a corrected form, if it is usable, and the alternatives to this form."""
     form = "" if one.verdict in REFUSED else f"{CORRECTED}{_quality(one)}"
     return "; or ".join(filter(None, (form, one.instead)))
 
@@ -51,9 +51,10 @@ def of_case(
 
 
 def _at_case(one: FormulaVerdict, rows: Mapping[str, Row]) -> FormulaVerdict:
-    """Verdict with the error of the given rows.
+    """Verdict with the largest error among the given rows.
 
-    The error relative to the part is used if a row has it, otherwise the error relative to a model.
+    If rows compare the formula with a model of the real part, only these are used; otherwise, rows
+    that compare it with a simplified model are used.
     """
     part = _errors(one.rows if one.is_of_part else (), rows)
     found = part or _errors(one.rows + one.model_rows, rows)
@@ -67,7 +68,7 @@ def _at_case(one: FormulaVerdict, rows: Mapping[str, Row]) -> FormulaVerdict:
 
 
 def _errors(names: Sequence[str], rows: Mapping[str, Row]) -> list[tuple[float, float, str]]:
-    """Error, error bar and id of each row that has both."""
+    """Error, error bar and id of each row that has an error and an error bar."""
     return [
         (row.difference / row.scale, row.tolerance / row.scale, row.id)
         for row in map(rows.get, names)

@@ -17,8 +17,8 @@ class Ahead:
     """Context with a thread that draws the figures and pictures of judged cases.
 
     Pictures are written to the store. A picture that fails here is drawn again when the report is
-    written; its failure is then reported. `hint` is the advice if pyvista is missing. `first` is
-    further work for the report, which the thread does before it draws the first judged case.
+    written; its failure is then reported. `hint` is the advice if pyvista is missing. Before the
+    first case is drawn, the thread calls `first`, which prepares other content of the report.
     """
 
     def __init__(self, folder: Path, hint: str, first: Callable[[], object]) -> None:

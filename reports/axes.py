@@ -64,7 +64,7 @@ class Axes:
         self.body += [svg.text(right, bottom + 31, x, "label", "end")] if x else []
 
     def curve(self, x: Array, y: Array, css: str) -> None:
-        """Add a line through points, without points that have no visible effect."""
+        """Add a line through points; points that have no visible effect are omitted."""
         self.body.append(svg.polyline(self._line(x, y), css))
 
     def ribbon(self, x: Array, low: Array, high: Array, css: str) -> None:

@@ -12,8 +12,8 @@ FILE = ".written.json"
 class Before:
     """Parts of a report in a folder that are still valid.
 
-    A part consists of files with the same origin, which is identified by its digest. A part is
-    valid as long as none of its files has changed.
+    A part consists of files that are made from the same data; a digest identifies these data. A
+    part is valid if its digest is equal to that of the earlier run and no file of it has changed.
     """
 
     def __init__(self, folder: Path, digests: Mapping[str, str]) -> None:

@@ -1,6 +1,7 @@
 """Conversion of rendered pixels into a small WebP image.
 
-The image is stored without loss with a palette, or with loss at high quality if that is smaller.
+The image is stored without loss with a palette, or with loss at high quality if that file is
+smaller.
 """
 
 import io
@@ -18,7 +19,10 @@ INSIDE, RIM = 207, 48  # colours of a palette for opaque and half transparent pi
 
 
 def webp(rgba: NDArray[np.uint8]) -> bytes:
-    """WebP image of RGBA pixels (FINER height, FINER width, 4), averaged over FINER^2 pixels."""
+    """WebP image; each of its pixels is the mean of FINER^2 pixels of `rgba`.
+
+    `rgba` is (FINER height, FINER width, 4).
+    """
     image = Image.fromarray(np.ascontiguousarray(rgba), "RGBA")
     small = image.convert("RGBa").reduce(FINER).convert("RGBA")  # colours weighted by their alpha
     pixels = np.asarray(small)

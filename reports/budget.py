@@ -1,4 +1,4 @@
-"""Error budgets: figures and texts about the causes of differences."""
+"""Error budgets: figures and texts about why formulas differ from finite elements."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -49,7 +49,7 @@ def percent(value: float | None, u: float | None = None) -> str:
 
 
 def _digits(size: float, digits: int) -> str:
-    """Text of a non-negative number: zero, with `digits`, or one digit and a power of ten."""
+    """Text of a number >= 0 with `digits`; below SMALL, with one digit and a power of ten."""
     if not size:
         return "0"
     if size >= SMALL:
@@ -60,12 +60,12 @@ def _digits(size: float, digits: int) -> str:
 
 
 def counted(row: RowBudget) -> list[BudgetPart]:
-    """Parts that are subtracted from the difference."""
+    """Contributions of causes that are subtracted from the difference of a row."""
     return [p for p in row.parts if p.contribution is not None and not p.shared]
 
 
 def steps(row: RowBudget) -> list[Bar]:
-    """Bars of the waterfall chart: difference, parts, remainder."""
+    """Bars of the waterfall chart: difference, contributions of the causes, remainder."""
     at = 100 * row.total
     found = [Bar(TOTAL, 0.0, at, 100 * (row.U or 0.0), percent(row.total), "total")]
     for part in counted(row):
@@ -86,7 +86,7 @@ def _label(part: BudgetPart, row: RowBudget) -> str:
 
 
 def waterfall(row: RowBudget) -> Markup:
-    """Waterfall chart of a row: each part starts from the end of the part above it."""
+    """Waterfall chart of a row: each bar starts from the end of the bar above it."""
     found = steps(row)
     reach = [(bar.start, bar.end - bar.u, bar.end + bar.u) for bar in found]
     low, high = (f(0.0, *(f(*r) for r in reach)) for f in (min, max))
@@ -173,7 +173,10 @@ class Compact:
 
 
 def compact(one: CaseBudget) -> Compact | None:
-    """Table of the MOST approximations with the largest remainders, without the drawn row."""
+    """Table of at most MOST approximations, those with the largest remainders.
+
+    It does not contain the row that is drawn; None if there is no other approximation.
+    """
     rows = [r for r in one.rows if r.kind is Kind.APPROXIMATION and not r.headline]
     if not rows:
         return None
@@ -185,7 +188,7 @@ def compact(one: CaseBudget) -> Compact | None:
 
 
 def _head(part: BudgetPart) -> str:
-    """Column of a part in the table."""
+    """Head of the column that contains a contribution."""
     return "numerical" if part.cause in NUMERICAL else part.cause
 
 

@@ -22,7 +22,10 @@ PRINTED = "the smallest change that must be detected exceeds 1 %: printed as "
 
 @dataclass(frozen=True)
 class Moved:
-    """Rows of one kind whose references were changed: number of rows, and number of failed rows."""
+    """Rows of one kind whose references were changed.
+
+    `rows` is their number. `red` is the number of failed rows for each change.
+    """
 
     kind: str
     rows: int
@@ -35,7 +38,10 @@ def share(count: int, total: int) -> str:
 
 
 def interval(count: int, total: int) -> str:
-    """Text of the 95 % confidence interval (Wilson) of the share of all mutants, from a sample."""
+    """Text of the 95 % confidence interval (Wilson) of the share of detected mutants.
+
+    `count` of the `total` mutants of a sample are detected.
+    """
     if not total:
         return ""
     z, p = 1.96, count / total
@@ -45,7 +51,7 @@ def interval(count: int, total: int) -> str:
 
 
 def stale(caught: Caught) -> str:
-    """Sentences about mutants that were not measured for this code, or only for earlier code."""
+    """Sentences about groups of mutants that were measured only with earlier code, or never."""
     known = {group.name for group in caught.groups}
     if caught.references:
         known.add("references")
@@ -58,7 +64,7 @@ def stale(caught: Caught) -> str:
 
 
 def moved(caught: Caught) -> tuple[list[str], list[Moved]]:
-    """Names of the changes of references, and a line for each kind of row and for all rows."""
+    """Names of the changes of references; a line for each kind of row and for whole groups."""
     data = caught.references
     if not data:
         return [], []
@@ -83,7 +89,10 @@ def green(caught: Caught) -> list[str]:
 
 
 def only_listed(caught: Caught) -> list[tuple[str, int]]:
-    """Reasons why rows are not required to fail, with their numbers, the largest number first."""
+    """Reasons why rows are not required to fail, and the number of rows for each reason.
+
+    The reason with the most rows comes first.
+    """
     counts: Counter[str] = Counter()
     for reason, rows in caught.references.get("listed", {}).get("because", {}).items():
         coarse = reason.startswith(PRINTED)
@@ -97,7 +106,7 @@ def only_listed(caught: Caught) -> list[tuple[str, int]]:
 
 
 def in_words(caught: Caught) -> list[str]:
-    """Sentences on rows outside the shares: not required to fail, not reached, failing always."""
+    """Sentences on rows that the shares do not include, by reason."""
     data = caught.references
     if not data:
         return []

@@ -5,7 +5,10 @@ from jinja2.bccache import Bucket
 
 
 class Compiled(jinja2.BytecodeCache):
-    """Code of templates in memory, by name and path; jinja2 compares the texts of the templates."""
+    """Code of templates in memory, by name and path.
+
+    jinja2 compiles a template again if its text has changed.
+    """
 
     def __init__(self) -> None:
         self._code: dict[str, bytes] = {}

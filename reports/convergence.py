@@ -15,7 +15,7 @@ LABEL = 36.0  # width of a mesh size's label
 
 
 def convergence(rows: Sequence[Row]) -> Markup:
-    """SVG of the distance from the finest value over the mesh size, with logarithmic axes.
+    """SVG of the distance from the value on the finest mesh, over the mesh size (logarithmic axes).
 
     For rows with a judged order, the error is drawn. Each theoretical order has one colour, so that
     lines of one colour should be parallel. Rows whose levels have no order (noise, oscillation) are
@@ -53,7 +53,7 @@ def convergence(rows: Sequence[Row]) -> Markup:
 
 
 def on_meshes(rows: Sequence[Row]) -> bool:
-    """Whether any of the rows is of finite elements; other methods refine steps or slices."""
+    """Whether finite elements give any of the rows; other methods refine steps or slices."""
     return any(is_finite_elements(row) for row in rows)
 
 
@@ -96,7 +96,10 @@ def has_order(row: Row) -> bool:
 
 
 def distances(row: Row) -> list[tuple[float, float]]:
-    """Pairs of mesh size and relative distance from the finest value, or the stored errors."""
+    """Pairs of mesh size and relative distance from the value on the finest mesh.
+
+    For a row with a judged order, the distance is replaced by the stored error.
+    """
     if len(row.levels) < 3:
         return []
     if row.kind is Kind.ASYMPTOTIC or (row.kind is Kind.TREND and row.fem != row.order):

@@ -88,7 +88,7 @@ def problems(checks: Sequence[Crosscheck]) -> list[Problem]:
 
 
 def left_out(checks: Sequence[Crosscheck]) -> list[tuple[str, list[Problem]]]:
-    """Problems without numbers, grouped by the reason."""
+    """Problems without compared numbers, grouped by the reason."""
     found: dict[str, list[Problem]] = {}
     for problem in problems(checks):
         if problem.missing:
@@ -97,7 +97,7 @@ def left_out(checks: Sequence[Crosscheck]) -> list[tuple[str, list[Problem]]]:
 
 
 def counts_in_words(checks: Sequence[Crosscheck]) -> str:
-    """Sentence with the numbers that agree, are not measured, and have no second solver."""
+    """Counts in words: numbers that agree, problems not measured, cases without second solver."""
     agree = sum(check.state is CrossState.AGREES for check in checks)
     outside = sum(check.state is CrossState.OUTSIDE for check in checks)
     missing = sum(p.head.state is CrossState.MISSING for p in problems(checks))
@@ -129,7 +129,7 @@ def crosscheck_data(checks: Sequence[Crosscheck]) -> list[Data]:
 
 
 def left_out_data(checks: Sequence[Crosscheck]) -> list[list[Run]]:
-    """Sentences about problems without numbers for the PDF, one for each reason."""
+    """Sentences for the PDF, one for each reason why problems have no compared numbers."""
     return [
         [*prose(why[:1].upper() + why[1:]), ": ", *_joined(found), "."]
         for why, found in left_out(checks)

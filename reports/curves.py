@@ -81,7 +81,7 @@ def _axes(c: Curves, x: list[Array], y: list[Array]) -> Axes:
 
 
 def _decades(axes: Axes) -> None:
-    """Add grid lines at powers of ten; if there are few, at 1, 2 and 5 times each power."""
+    """Add grid lines at powers of ten; on a short axis, also at 2 and 5 times each power."""
     low, high = (math.log10(v) for v in axes.y)
     whole = range(math.floor(low), math.ceil(high) + 1)
     if high - low < FEW:

@@ -17,9 +17,9 @@ MANY = 3  # limits violated, or more
 
 @dataclass(frozen=True, kw_only=True)
 class Bars:
-    """Bar chart of the number of `total` candidates that violate each limit.
+    """Bar chart: for each limit, how many of `total` candidates violate it.
 
-    `names` and `counts` are in the same order.
+    `names` of limits and `counts` of candidates are in the same order.
     """
 
     title: str
@@ -31,9 +31,10 @@ class Bars:
 
 @dataclass(frozen=True, kw_only=True)
 class Region:
-    """Map of the number of violated limits (k, m) over two parameters; -1 if no strip can be bent.
+    """Map of the number of violated limits over two parameters.
 
-    `columns` and `rows` [in the units of the labels] are ascending; `mark` is a pair (row, column).
+    `violated` is (k, m); it is -1 where no spring is possible. `columns` and
+    `rows` [in the units of the labels] are ascending; `mark` is a pair (row, column).
     """
 
     title: str

@@ -57,7 +57,7 @@ class Cause:
 
 
 def causes(rows: Sequence[Row], status: Status) -> list[Cause]:
-    """Failed rows grouped by case and reason."""
+    """Rows with this status, grouped by case and reason."""
     found: dict[tuple[str, str], list[Row]] = {}
     for row in rows:
         if row.status is status:

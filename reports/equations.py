@@ -68,7 +68,7 @@ class Equations:
     def _shapes(self, parts: Iterable[ET.Element], outlines: dict[str, str]) -> str:
         """SVG of rules (of fractions and roots) and of glyphs at their positions [pt].
 
-        Glyphs on one line share one height.
+        Glyphs on one line are placed together, because they have the same vertical position.
         """
         drawn, glyphs = "", []
         for part in parts:
@@ -90,7 +90,7 @@ class Equations:
 
 
 def _run(uses: Sequence[ET.Element], outlines: Mapping[str, str]) -> str:
-    """Outline of a run of glyphs, starting at the first, in steps of 1/`FINE` pt.
+    """Outline of a run of glyphs, relative to the first glyph, in steps of 1/`FINE` pt.
 
     The glyphs are side by side, as in "mm", or one above the other, as the pieces of a large
     bracket.

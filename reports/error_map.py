@@ -16,7 +16,7 @@ HUNDRED = 0.995  # larger errors are reported as such: a number of per cent adds
 
 
 def error_map(m: Map) -> Markup:
-    """SVG of cells with the signed error in per cent and the boundaries between the limits."""
+    """SVG of cells with the signed error in per cent; lines separate classes of errors."""
     error = np.asarray(m.error, dtype=float)
     rows, columns = error.shape
     width = (WIDTH - LEFT - RIGHT) / columns

@@ -1,8 +1,8 @@
-"""Colours of a formula's signed error by its smallest limit, the same in every map.
+"""Colours of a formula's signed error by the smallest limit that it meets, for every map.
 
 Orange means that the formula exceeds finite elements; blue means that it is below them. A larger
 error has a darker colour. Errors below a quarter of the first limit have no colour, because their
-pattern is only rounding.
+pattern would only show rounding errors.
 """
 
 from collections.abc import Sequence

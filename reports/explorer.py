@@ -1,4 +1,4 @@
-"""Validity explorer: stored points as data of its script, and their places on its page."""
+"""Validity explorer: points of stored studies as data for its script, and anchors on its page."""
 
 import json
 import math
@@ -48,7 +48,7 @@ def of_cases(report: Report) -> list[OfCase]:
 
 
 def places(report: Report, anchors: Mapping[str, str]) -> dict[str, str]:
-    """Places on the page for the tables of each case and of its formulas, by case and by row."""
+    """Anchors of tables on the page: of each case by its id, of each formula by its row."""
     found = {}
     for one in of_cases(report):
         found[one.case.id] = f"explore-{one.case.id}"
@@ -123,9 +123,9 @@ def _formula(
 
 
 def _errors(formula: StudiedFormula) -> list[Any]:
-    """Errors and error bars at the points of a study, and problems.
+    """List of errors, list of error bars, and problems by index of the point, if there are any.
 
-    Null at points without a value.
+    Errors and error bars are null at points without a value.
     """
     problems = {n: problem for n, problem in enumerate(formula.problems) if problem}
     return [_numbers(formula.error), _numbers(formula.U), *([problems] if problems else [])]

@@ -19,9 +19,9 @@ NO_DIGIT = 0.005  # of an error: a smaller bar changes none of its three digits
 class Line:
     """A line with the errors of a formula in per cent.
 
-    For a grid, the errors are at one `value` of the first axis. In the first line of a formula,
-    `lines` is the number of its lines; in its other lines, it is zero. A single error may apply to
-    all points.
+    For a grid, the errors belong to one `value` of the first axis. In the first line of a formula,
+    `lines` is the number of lines of this formula; in its other lines, `lines` is zero. If `errors`
+    has a single text, this applies to all points.
     """
 
     quantity: str
@@ -31,7 +31,7 @@ class Line:
 
 
 def head(study: StoredStudy) -> list[Markup]:
-    """Column heads: the points of a star, or the values of the last axis of a grid."""
+    """Column heads: the varied value of each point, or the values of the last axis of a grid."""
     if not study.is_star:
         return [_value(study.axes[-1], v) for v in _values(study, -1)]
     own = study.points[0]

@@ -34,7 +34,7 @@ class PaperPart:
 
 @dataclass(frozen=True)
 class Group:
-    """Formulas of one form with the same verdict, errors and evidence: one line of a table."""
+    """Printed or corrected formulas with one verdict, error and evidence: one line of a table."""
 
     formulas: Sequence[FormulaVerdict]
 
@@ -60,7 +60,7 @@ class Group:
 
 
 def groups(verdicts: Sequence[FormulaVerdict]) -> list[Group]:
-    """Groups of formulas that need verification; a group has one verdict and evidence."""
+    """Groups of formulas with the same verdict and evidence; definitions are omitted."""
     found: dict[tuple[object, ...], list[FormulaVerdict]] = {}
     for v in verdicts:
         if v.verdict is Verdict.DEFINITION:
@@ -117,7 +117,7 @@ def compared(table: PaperTable) -> bool:
 
 
 def tasks(report: Report) -> Mapping[str, list[Task]]:
-    """Tasks by part, with the verdicts of their formulas."""
+    """Tasks by machine part (such as "roller clutch"), with the verdicts of their formulas."""
     known = {v.id: v for v in advised(report.verdicts)}
     present = {case.id for case in report.cases}
     found: dict[str, list[Task]] = {}

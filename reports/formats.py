@@ -111,9 +111,10 @@ class Shown(NamedTuple):
 
 
 def values(row: Row) -> Shown:
-    """Texts of formula and reference with decimals by u, such as 0.5820205 and 0.5817896(40).
+    """Texts of formula and reference, such as 0.5820205 and 0.5817896(40).
 
-    The digits in brackets are u in units of the last decimal.
+    The digits in brackets are the uncertainty u in units of the last decimal; u determines the
+    number of decimals of both texts.
     """
     u = row.u_num
     if row.kind == "fact" and row.formal_order is not None:  # observed order and order of theory
@@ -153,7 +154,7 @@ def difference(row: Row) -> Markup:
 
 
 def tolerance(row: Row) -> Markup:
-    """Text of the expected interval or of the allowed uncertainty, as by `difference`."""
+    """Text of the expected interval or of the tolerance, in the format of `difference`."""
     text = difference_texts(row)[1]
     if not text and row.tolerance is not None and row.kind is not Kind.FACT:
         return relative(row, "tolerance")
@@ -167,7 +168,7 @@ def relative(row: Row, name: str) -> Markup:
 
 
 def fraction(row: Row, value: float | None, *, signed: bool = False) -> Markup:
-    """Text of a fraction in per cent; for a balance or an order, the plain number."""
+    """Text of a fraction in per cent; the plain number for a balance or an order of convergence."""
     if row.kind in (Kind.EXACT, Kind.TREND):
         return power(value)
     return percents(value, signed=signed)

@@ -25,7 +25,10 @@ FEW = 2.0  # decades; shorter bars get marks between the powers of ten
 
 @dataclass(frozen=True)
 class Frame:
-    """A picture on the page: `svg`, or a `view` that can be rotated."""
+    """A picture on the page: `svg`, or a `view` that can be rotated.
+
+    `by` is the program that drew it; `why` is the reason if this program is not pyvista.
+    """
 
     caption: str
     note: str

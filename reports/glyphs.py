@@ -36,7 +36,7 @@ class Glyphs:
         return f'<g transform="translate(0 {short(y, 1)})">{uses}</g>'
 
     def on(self, page: str) -> str:
-        """The page with its glyphs, named by their frequency, independent of other pages."""
+        """The page with its glyphs; the most frequent ones have the shortest names."""
         numerals = {name: run for run, name in self._numerals.items()}
         times = Counter(_NUMERAL.findall(_NUMERAL.sub(r'<use href="#\1"/>', page)))
 

@@ -56,7 +56,7 @@ def first_author(authors: str, year: int | None) -> str:
 
 
 def named(papers: Sequence[Mapping[str, Any]]) -> Mapping[str, str]:
-    """Papers by key as first author and year; sources without a ledger as they are stated."""
+    """First author and year of each paper, by key; the stated source if it has no ledger."""
     return {
         p["key"]: first_author(p["authors"], p["year"]) if p["title"] else p["authors"]
         for p in papers

@@ -50,9 +50,9 @@ class Measured:
 
 
 def all_within(error: Array, U: Array) -> str:
-    """Text of a limit that no error with its bar exceeds, if all are too small for a figure.
+    """Text with a limit of all errors and their bars, if they are too small for a figure.
 
-    Otherwise, it is empty.
+    The text is empty if an error with its bar is large enough for a figure.
     """
     reach = (np.abs(error) + U)[np.isfinite(error)]
     if not reach.size or not (largest := float(reach.max())) < TINY:

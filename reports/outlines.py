@@ -11,7 +11,7 @@ Indices = NDArray[np.int64]
 
 
 def edges(cells: Indices) -> tuple[Indices, Indices, Indices]:
-    """Edges (k, 2) of cells (m, corners), the number of cells with each edge, and one such cell."""
+    """Edges (k, 2) of cells (m, corners), and the number of cells and one cell at each edge."""
     corners = cells.shape[1]
     if corners == 2:
         return cells, np.ones(len(cells), dtype=np.int64), np.arange(len(cells))
@@ -23,9 +23,10 @@ def edges(cells: Indices) -> tuple[Indices, Indices, Indices]:
 
 
 def polylines(cells: Indices, points: Array, tolerance: float) -> tuple[Array, ...]:
-    """Free edges of surfaces, or all lines, as polylines within the distance `tolerance`.
+    """Polylines along the free edges of surfaces, or along all cells that are lines.
 
-    `points` is (n, 2). Closed polylines repeat their first point.
+    Points within the distance `tolerance` of a polyline are omitted. `points` is (n, 2).
+    Closed polylines repeat their first point.
     """
     found, counts, _ = edges(cells)
     free = found[counts == 1]

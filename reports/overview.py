@@ -57,7 +57,7 @@ def _group(case: CaseResult, rows: Sequence[Row]) -> Group:
 
 
 def strips(groups: Sequence[Group]) -> list[list[Group]]:
-    """Groups in lines of the given width, in their order."""
+    """Lists of groups that fit a line of the width WIDE; groups keep their order."""
     lines: list[list[Group]] = []
     end = math.inf
     for group in groups:

@@ -58,8 +58,8 @@ def is_paged(report: Report) -> bool:
 def pages(report: Report, frames: Frames, unchanged: Container[str] = ()) -> dict[str, str]:
     """HTML of each page by its path; links between pages work in a folder without a server.
 
-    Parts in `unchanged` (see `reports.origins`) have no page here. `frames` are the pictures of the
-    cases that have any.
+    The result has no pages of parts in `unchanged` (see `reports.origins`). `frames` are the
+    pictures of the cases that have any.
     """
     equations = Equations()
     env = environment(equations)

@@ -85,7 +85,7 @@ class PrintedRow:
 
     @property
     def further(self) -> list[Claim]:
-        """All other rows."""
+        """Rows of the suite that are not in `first`."""
         return [claim for claim in self.claims if claim not in self.first]
 
 
@@ -116,9 +116,9 @@ def _name(cells: Sequence[PaperCell], column: int) -> str:
 
 @dataclass(frozen=True)
 class PrintedTable:
-    """A printed table: rows with their comparisons, and comparisons that belong to several rows.
+    """A printed table: `rows` with their comparisons, and comparisons `common` to several rows.
 
-    `columns` are the columns in which the rows of `common` have numbers.
+    `has_references` states whether a comparison with one row has a finite-element value.
     """
 
     rows: Sequence[tuple[Sequence[PaperCell], PrintedRow]]

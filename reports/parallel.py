@@ -18,7 +18,7 @@ POWERS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 def parallel(p: Parallel) -> Markup:
-    """SVG with thin lines for members and coloured lines for highlighted members.
+    """SVG with a thin line for each set of parameters; highlighted sets have coloured lines.
 
     Names of axes are in several rows if they would overlap.
     """

@@ -73,7 +73,7 @@ def by_weight(case: CaseResult, verdicts: Sequence[FormulaVerdict]) -> list[Line
 
 
 def _kind(row: Row) -> int:
-    """Rank of a row: 0 for undecided rows, 1 for identities, 2 for balances, statements, orders."""
+    """Rank of a row: 0 if not passed or an approximation, 1 for an identity, 2 for any other."""
     if row.status is not Status.PASS or row.kind in APPROXIMATE:
         return 0
     return 1 if row.kind is Kind.IDENTITY else 2

@@ -9,7 +9,7 @@ from verify.core.results import Validity, ValidityCard, ValidityRegion
 
 
 def validity_data(known: Sequence[Validity]) -> list[Data]:
-    """Subjects with their cases and lines."""
+    """Names of subjects, each with the data of its cases for their tables."""
     return [
         {"name": name, "cases": [_case(one) for one in cases]} for name, cases in subjects(known)
     ]

@@ -37,7 +37,7 @@ def report_record(report: Report) -> dict[str, Any]:
 
 
 def _drift(drift: Drift) -> dict[str, Any]:
-    """Record of changes since a release, with the number of unexplained loosened requirements."""
+    """Record of changes since a release; it counts requirements loosened without a reason."""
     return dict(_plain(drift), unexplained=len(drift.unexplained))
 
 

@@ -27,7 +27,7 @@ Cell = str | float | None
 
 
 def cells(row: Row, beside: Sequence[Crosscheck] = ()) -> list[Cell]:
-    """Cells of a row: values in its unit, per cent as on the page, second solvers, papers.
+    """Cells of a row: its values, per cent as on the page, second solvers, printed numbers.
 
     `difference` is formula minus reference.
     """

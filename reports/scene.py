@@ -86,7 +86,7 @@ def compose(field: Field, picture: Picture) -> Scene:
 
 
 def view(field: Field, vectors: Array) -> Array:
-    """Vectors (n, 3) along right, up and towards the viewer; plane fields are not rotated."""
+    """Vectors (n, 3) with components to the right, upwards and to the viewer; plane ones unchanged."""
     if field.points.shape[1] == 2:
         return vectors
     yaw, pitch = math.radians(-35), math.radians(25)
@@ -99,7 +99,8 @@ def exaggeration(shown: Body, window: Box | None = None, readable: float = READA
     """Scale factor (1, 2 or 5 times a power of ten) that makes displacements visible.
 
     It is 0 without displacements. The largest displacement of the visible part becomes about
-    `readable` (6.5 %) of the window or the body. Displacements of 5 to 25 % are drawn to scale.
+    `readable` (6.5 %) of the size of the window or the body. If it is already 5 to 25 % of this
+    size, the factor is 1.
     """
     largest = float(np.linalg.norm(shown.displacement, axis=1).max())
     size = shown.size if window is None else max(window[2] - window[0], window[3] - window[1])

@@ -15,7 +15,7 @@ COLUMNS = ("second_solver", "second_value", "second_difference_relative", "secon
 
 @dataclass(frozen=True)
 class Seconds:
-    """Comparisons by place: `ids` on the page, `rows` by id of the row, `cases` by case.
+    """Comparisons by place: `ids` are anchors of the page, `rows` by id of row, `cases` by case.
 
     A row has the comparisons of its quantity. A case has the problems with a quantity that belongs
     to no single row.
@@ -74,7 +74,10 @@ def meshes(check: Crosscheck) -> str:
 
 
 def cells(checks: Sequence[Crosscheck]) -> list[str | float | None]:
-    """Cells COLUMNS of a row, for its first second solver; crosscheck.csv contains all solvers."""
+    """Cells with the result of one second solver, under the heads COLUMNS.
+
+    If a row has several second solvers, the first is used; crosscheck.csv contains all of them.
+    """
     if not checks:
         return ["", None, None, None]
     first = checks[0]

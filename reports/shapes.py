@@ -54,7 +54,7 @@ def _wide(width: float, name: str) -> float:
 
 
 def _packed(sizes: list[Array], names: list[str]) -> tuple[float, list[list[int]]]:
-    """Pixels per unit, and the panels of each row, for the fewest rows that are tall enough."""
+    """Pixels per unit, and the panels of each row, for the fewest rows with legible panels."""
     scale, split = 1.0, [list(range(len(sizes)))]
     for count in range(1, min(MOST_ROWS, len(sizes)) + 1):
         split = [part.tolist() for part in np.array_split(np.arange(len(sizes)), count)]

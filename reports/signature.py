@@ -19,10 +19,10 @@ MARKS = {
 
 
 def position(row: Row) -> float | None:
-    """Difference of formula and reference in tolerances; None without a reference.
+    """Difference of formula and reference divided by the tolerance; None without a reference.
 
-    For an approximation, it is the position in the expected interval, which is -1 to 1. For a
-    balance, which has no formula, the residual is used.
+    For an approximation, it is the position in the expected interval, whose ends are at -1 and 1.
+    For a balance, which has no formula, the residual is used.
     """
     found = difference(row)
     if found is None:
@@ -65,7 +65,7 @@ def signature(row: Row) -> Markup:
 
 
 def _is_blunt(row: Row) -> bool:
-    """Whether the band alone would hide an error of 1 %."""
+    """Whether the half-width of the band is larger than 1 %."""
     if row.interval is not None:
         return row.interval[1] - row.interval[0] > 0.02
     return bool(row.tolerance and row.scale and row.tolerance / row.scale > 0.01)

@@ -28,7 +28,7 @@ def summary(drift: Drift) -> str:
 def shown(drift: Drift) -> list[Change]:
     """Changes to list, at most MOST.
 
-    Loosened requirements without a reason come first, names of rows last.
+    Loosened requirements without a reason come first, renamed rows last.
     """
 
     def rank(c: Change) -> tuple[bool, bool, bool]:

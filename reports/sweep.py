@@ -98,7 +98,7 @@ def flat(text: str) -> str:
 
 
 def key(panels: Sequence[Panels]) -> Markup:
-    """SVG of the key of the colours and marks of all these maps."""
+    """SVG of the key of the colours and marks that all maps of the panels share."""
     maps = [m for one in panels for m in one.maps]
     return scale_key(maps[0].limits, marked=any(has_nominal(m) for m in maps))
 

@@ -18,8 +18,8 @@ MOST_BINS = 40
 class Histogram:
     """Histogram of `values` (n,), in the unit of the label.
 
-    `quantiles` are pairs of value and name. `limits` are drawn as ± values of the error of the
-    formula.
+    `quantiles` are pairs of value and name. `limits` of the magnitude of an error are drawn
+    with both signs.
     """
 
     title: str

@@ -70,7 +70,7 @@ def common(one: Validity) -> str:
 
 
 def limits(region: ValidityRegion) -> list[tuple[str, ValidityLimit]]:
-    """Limits with their names.
+    """Pairs of the name of a limit and the limit.
 
     Limits that are met at the same points share a name such as "2, 5".
     """

@@ -72,7 +72,7 @@ def at_paper(one: FormulaVerdict) -> str:
 
 
 def sides(one: FormulaVerdict) -> str:
-    """Text of the largest errors above and below over all points, such as "+5 / −34 %".
+    """Text of the largest positive and negative error over all points, such as "+5 / −34 %".
 
     A dash if there are none.
     """
@@ -86,7 +86,7 @@ def sides(one: FormulaVerdict) -> str:
 
 
 def _percents(size: float) -> str:
-    """Text of a percentage with two digits, without decimals from a hundred on."""
+    """Text of a percentage with two digits; 100 and larger values have no decimals."""
     return f"{100 * size:.0f}" if size >= 1 else f"{100 * size:.2g}"
 
 

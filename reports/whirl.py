@@ -41,7 +41,7 @@ class _View:
         return np.asarray(self.origin + self.scale * np.asarray(z)[:, None] * ALONG)
 
     def moved(self, x: ComplexArray, y: ComplexArray) -> ComplexArray:
-        """Displacements (m, 2) as complex pixels."""
+        """Complex displacements (m, 2) in the image [pixels]."""
         return np.asarray(self.across * (x[:, None] * RIGHT + y[:, None] * UP))
 
 
@@ -174,7 +174,7 @@ def _orbit(p: Array, d: ComplexArray, colour: int) -> tuple[Markup, float, Marku
 
 
 def _path(base: Array, moved: ComplexArray, css: str) -> Markup:
-    """SVG path of points at phase zero, with the data of their motion at both phases."""
+    """SVG path of points at phase zero; its data contain displacements at 0 and 90 degrees."""
     shown = base + moved.real
     dots = css.startswith("orbit-dot")
     if dots:

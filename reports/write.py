@@ -88,7 +88,7 @@ def write(
 def _frames(
     report: Report, before: Before, cache: Path | None, hint: str
 ) -> dict[str, Sequence[Frame]]:  # fmt: skip
-    """Pictures of the cases that need new ones; for other cases, the program that drew them."""
+    """Pictures of cases that need new ones; of other cases, only the program that drew them."""
     needed = [
         case for case in report.cases
         if PAPER_PART not in before or page_of(case.id) not in before

@@ -1,4 +1,4 @@
-"""Plot of the states in a plane: named zones, limits drawn over them, and a point."""
+"""Plot of zones with names in a plane, with curves over the zones and a marked point."""
 
 from collections.abc import Sequence
 
@@ -21,9 +21,9 @@ Box = tuple[float, float, float, float]  # left, top, right, bottom
 
 
 def zones(z: Zones) -> Markup:
-    """SVG of zones from the lowest to the highest, each with its name at its widest place.
+    """SVG of zones from the lowest to the highest; each name is where its zone is tallest.
 
-    A zone that has no place for its name has no name.
+    The name of a zone without enough space is omitted.
     """
     x = np.asarray(z.x, dtype=float)
     axes = Axes((52, 28, 390, 262), (float(x[0]), float(x[-1])), (0.0, z.y_top))
@@ -52,7 +52,7 @@ def zones(z: Zones) -> Markup:
 
 
 def _edges(axes: Axes, x: Array, top: Array, inside: NDArray[np.bool_]) -> None:
-    """The upper limit of a zone unless it is an edge of the plot."""
+    """Draw the upper limit of a zone where it is not at the edge of the plot (`inside`)."""
     ends = np.flatnonzero(np.diff(np.concatenate([[0], inside.astype(int), [0]])))
     for start, stop in ends.reshape(-1, 2):
         part = slice(max(start - 1, 0), min(stop + 1, x.size))
@@ -60,7 +60,7 @@ def _edges(axes: Axes, x: Array, top: Array, inside: NDArray[np.bool_]) -> None:
 
 
 def _taken(axes: Axes, z: Zones) -> list[Box]:
-    """Places without names of zones: upright lines, and the point with its name."""
+    """Places at which no name of a zone is drawn: vertical lines, and the point with its name."""
     found = [
         (axes.X(float(c.x[0])) - 4, 0.0, axes.X(float(c.x[0])) + 4, HEIGHT)
         for c in z.curves if np.ptp(c.x) == 0
@@ -74,7 +74,7 @@ def _taken(axes: Axes, z: Zones) -> list[Box]:
 def _name(
     axes: Axes, zone: Zone, x: Array, floor: Array, top: Array, taken: Sequence[Box]
 ) -> list[Markup]:
-    """The name of a zone in its largest free place; none if no place is large enough."""
+    """The name of a zone where it has the largest free height; none if this is too small."""
     left = np.array([axes.X(v) for v in x])
     low = np.array([axes.Y(v) for v in floor])
     high = np.array([axes.Y(v) for v in top])
@@ -94,7 +94,7 @@ def _name(
 
 
 def _mark(axes: Axes, z: Zones) -> list[Markup]:
-    """The point, at the edge of the plot if it lies outside, and its name beside it."""
+    """SVG of the point and its name; a point outside the plot is drawn at the edge."""
     assert z.point is not None
     (left, _, right, bottom), anchor = _beside(axes, z)
     x = left if anchor == "start" else right
@@ -105,7 +105,7 @@ def _mark(axes: Axes, z: Zones) -> list[Markup]:
 
 
 def _beside(axes: Axes, z: Zones) -> tuple[Box, str]:
-    """Box of the name of the point and its anchor, at the place with the fewest curves."""
+    """Box for the name of the point, where it covers the fewest curves, and its text anchor."""
     assert z.point is not None
     u, v = _place(axes, *z.point[:2])
     wide, centre = LETTER * len(z.point[2]), (axes.box[0] + axes.box[2]) / 2
@@ -122,7 +122,7 @@ def _beside(axes: Axes, z: Zones) -> tuple[Box, str]:
 
 
 def _crossing(axes: Axes, z: Zones, box: Box) -> int:
-    """Number of points of the curves, drawn densely, in a box."""
+    """Number of densely interpolated points of the curves that are in a box."""
     count = 0
     for curve in z.curves:
         t = np.linspace(0, len(curve.x) - 1, 20 * len(curve.x))
@@ -136,7 +136,7 @@ def _crossing(axes: Axes, z: Zones, box: Box) -> int:
 
 
 def _place(axes: Axes, x: float, y: float) -> tuple[float, float]:
-    """Position of a point in the image, within the plot."""
+    """Position of a point in the image; a point outside the plot is moved to the edge."""
     return (
         axes.X(min(max(x, axes.x[0]), axes.x[1])), axes.Y(min(max(y, axes.y[0]), axes.y[1])),
     )  # fmt: skip

@@ -52,7 +52,8 @@ class Difference:
 class Comparison:
     """Rule for equal numbers.
 
-    If `exact`, numbers must be equal bit for bit; otherwise within `allowed`, the error of the row.
+    If `exact`, numbers must be equal bit for bit. Otherwise, they may differ by `allowed`, the
+    numerical error of the row.
     """
 
     exact: bool = True
