@@ -60,7 +60,7 @@ def _digits(size: float, digits: int) -> str:
 
 
 def counted(row: RowBudget) -> list[BudgetPart]:
-    """Contributions of causes that are subtracted from the difference of a row."""
+    """Measured contributions to the difference; shared assumptions of both models are omitted."""
     return [p for p in row.parts if p.contribution is not None and not p.shared]
 
 

@@ -64,7 +64,7 @@ def stale(caught: Caught) -> str:
 
 
 def moved(caught: Caught) -> tuple[list[str], list[Moved]]:
-    """Names of the changes of references; a line for each kind of row and for whole groups."""
+    """Names of changes of references; a line for each kind of row and for all that must fail."""
     data = caught.references
     if not data:
         return [], []

@@ -31,7 +31,7 @@ def path_of(name: str) -> str:
 
 
 class Places:
-    """Search for the page that contains a place (the anchor of a link)."""
+    """Look-up of the page that contains a place (the anchor of a link)."""
 
     def __init__(self, report: Report) -> None:
         self._cases = [case.id for case in report.cases]

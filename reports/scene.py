@@ -86,7 +86,7 @@ def compose(field: Field, picture: Picture) -> Scene:
 
 
 def view(field: Field, vectors: Array) -> Array:
-    """Vectors (n, 3) with components to the right, upwards and to the viewer; plane ones unchanged."""
+    """Vectors (n, 3) with components right, up and to the viewer; plane fields are not rotated."""
     if field.points.shape[1] == 2:
         return vectors
     yaw, pitch = math.radians(-35), math.radians(25)

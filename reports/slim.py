@@ -60,7 +60,7 @@ def too_large(files: Mapping[str, bytes]) -> Iterator[str]:
 
 
 def _once(page: str, drawing: str, name: str) -> str:
-    """The page in which repeated parts of drawings refer to the first of them."""
+    """The page in which repetitions of `drawing` refer to its first occurrence, named `name`."""
     first, *others = page.split(drawing)
     if len(others) < SEVERAL:
         return page
@@ -89,7 +89,7 @@ def steps(path: str) -> str:
     """A path of straight lines in relative steps: M1,2L3.5,2z gives M1,2h2.5z.
 
     Coordinates in tenths of a pixel are retained, so that no point moves. Points within a straight
-    piece are removed. Finer coordinates are unchanged.
+    piece are removed. A path with finer coordinates is returned unchanged.
     """
     parts = path.split("M")[1:]
     if not all(_POINT.fullmatch(p) for part in parts for p in part.rstrip("z").split("L")):
