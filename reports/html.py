@@ -114,7 +114,7 @@ def styles() -> str:
 
 
 def anchors(rows: Sequence[Row]) -> Mapping[str, str]:
-    """Anchor of each row by its id: number of the case in the run, number of the row in the case."""
+    """Anchor of each row by its id: number of its case in the run, and its number in the case."""
     count: dict[str, int] = {}
     cases = {case: i for i, case in enumerate(dict.fromkeys(row.case for row in rows))}
     found: dict[str, str] = {}

@@ -11,7 +11,7 @@ LISTED_FIRST = (Status.FAIL, Status.SKIP)
 
 @dataclass(frozen=True)
 class Line:
-    """A line of the table: a row, and its convergence row if this passed."""
+    """A line of the table: a row, and its convergence row if this passed or was not run."""
 
     row: Row
     convergence: Row | None = None

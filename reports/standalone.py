@@ -25,7 +25,7 @@ class Drawing(TypedDict):
 
 
 def standalone(svg: str) -> Drawing | None:
-    """A drawing of the page with the style rules that it uses; None without a drawing."""
+    """A drawing of the page, with the style sheet of drawings; None without a drawing."""
     if not svg:
         return None
     label = re.search(r'aria-label="([^"]*)"', svg)
