@@ -19,7 +19,7 @@ NO_PICTURE = "no picture"
 
 
 class DrawingProcess:
-    """Context with the process; a process that fails after some scenes is replaced."""
+    """Context with the process; if it fails, it is replaced only if it has drawn scenes before."""
 
     def __init__(self) -> None:
         self._process: subprocess.Popen[bytes] | None = None

@@ -60,7 +60,7 @@ def _row(elements: Sequence[Element]) -> Node:
 
 
 def _opens(elements: Sequence[Element]) -> bool:
-    """Whether a row is enclosed by a stretched bracket, or by brackets around a matrix."""
+    """Whether a row begins with a stretched bracket, or is a matrix in brackets."""
     return elements[0].get("form") == "prefix" or _is_closing(elements)
 
 

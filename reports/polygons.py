@@ -58,8 +58,8 @@ def polygons(
 ) -> tuple[Array, Indices, NDArray[np.uint8]]:
     """Corners, faces and colours of lines (with round joints) or of surfaces with their grid.
 
-    Thin surfaces have a rim. `fill` contains corners and colours that fill a surface; without it,
-    each cell has one colour.
+    Thin surfaces are widened at their rim to THINNEST pixels. `fill` contains corners and
+    colours that fill a surface; without it, each cell has one colour.
     """
     if cells.shape[1] == 2:
         parts = [_strokes(at, cells, colours, STROKE), _joints(at, cells, colours)]
