@@ -14,7 +14,7 @@ from verify.core.results import CaseResult
 
 
 class Ahead:
-    """Context with a thread that draws the figures and pictures of judged cases.
+    """Context manager with a thread that draws the figures and pictures of judged cases.
 
     Pictures are written to the store. A picture that fails here is drawn again when the report is
     written; its failure is then reported. `hint` is the advice if pyvista is missing. Before the

@@ -19,7 +19,7 @@ NO_PICTURE = "no picture"
 
 
 class DrawingProcess:
-    """Context with the process; if it fails, it is replaced only if it has drawn scenes before."""
+    """Context manager of the process, which is replaced on failure if it has drawn before."""
 
     def __init__(self) -> None:
         self._process: subprocess.Popen[bytes] | None = None

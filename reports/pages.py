@@ -105,7 +105,7 @@ def _templates(
 
 
 def _explored(report: Report, shared: Mapping[str, Any]) -> dict[str, Any]:
-    """Tables and data of the validity explorer, and the cases without measured errors."""
+    """Tables and data of the validity explorer, and cases without measured errors."""
     return {
         "studied": explorer.of_cases(report),
         "points": explorer.data(report, shared["anchors"]),
