@@ -65,7 +65,7 @@ def _side(course: Course) -> str:
 
 
 def sample_in_words(about: Indices) -> str:
-    """Sentences about the error within the tolerances, and the inputs that affect it most."""
+    """Sentences about the error if inputs vary within their tolerances, and the main inputs."""
     error = about.error
     if not error.n:
         return "Nothing could be compared."

@@ -28,7 +28,7 @@ TASK = '# The task; a list of torques may also be a range "10 N m : 40 N m : 4" 
 
 
 def template() -> str:
-    """Text of the template. If its commented-out lines are active, it states the default task."""
+    """Text of the template. Its lines without their comment signs state the default task."""
     clutch = sections(EngagementInputs, ASSUMPTIONS[CASE], "the paper's")
     wished = commented(Wishes)[len(EngagementInputs.model_fields) :]
     torques = json.dumps(TORQUES.default)

@@ -110,7 +110,7 @@ def uneven(p: Array) -> float:
 
 
 def more_even(context: Context) -> tuple[float, float, str]:
-    """Relative reduction of the fraction `uneven` of the load from K_1 = 1 to K_1 = 3."""
+    """Relative reduction of `uneven`, a fraction of the load, if K_1 increases from 1 to 3."""
     shallow, deep = (uneven(p[0]) for p in arrays(context)["Fig. 13"])
     words = (
         f"the part of the load that exceeds a uniform load is {shallow:.1%} with K_1 = 1 and "
