@@ -70,7 +70,7 @@ LIMITED = Rerun(
     levels=(1,), shared=True,
 )  # fmt: skip
 
-SHARP, ROUND = "fillet radius / 10", "in addition, a round bore without corners"
+SHARP, ROUND = "fillet radius / 10", "round bore of the diameter d_i instead of the polygonal bore"
 K = ("K of the paper",)
 
 BY_SERIES = "the series of an elastic ring on its rollers replaces the formula of the paper"
@@ -94,7 +94,8 @@ STATEMENTS: Mapping[str, Statement] = {
             Rerun(cause=Cause.GEOMETRY, what=SHARP, rows=K, inputs=sharp),
             Rerun(cause=Cause.GEOMETRY, what=ROUND, rows=K, fem=fem_round, after=SHARP),
             Rerun(cause=Cause.GEOMETRY,
-                  what="in addition, wall thickness / 10, unchanged mean diameter",
+                  what="in addition to the round bore, wall thickness / 10, "
+                  "unchanged mean diameter",
                   rows=K, fem=fem_thin_round, after=ROUND),
             Rerun(cause=Cause.PLANE, what="plane strain instead of plane stress", rows=K,
                   changes=plane_strain(), shared=True),
@@ -145,8 +146,8 @@ STATEMENTS: Mapping[str, Statement] = {
             Corrected("normal force per torque of free rollers, Eq. 4 as printed", "N_per_M"),
         ),
         finer=32,
-        headline="stick half-width of a roller pressed without friction, then loaded tangentially, "
-        "T/(μN) = 0.6",
+        headline="stick half-width at T/(μN) = 0.6 (roller pressed without friction, then loaded "
+        "tangentially)",
     ),
     "polyhedral-clutch": Statement(
         reruns=(

@@ -12,7 +12,7 @@ def of_fillets(stress: float, *, E: float, R_p: float | None, when: str) -> list
     if R_p is None and stress > STRAINED * E:
         return [
             f"{stressed} corresponds to a strain of {stress / E:.2%}: most steels yield at a "
-            "smaller strain; enter R_p"
+            "smaller strain; enter the yield strength R_p"
         ]
     return []
 

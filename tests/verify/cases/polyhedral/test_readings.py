@@ -23,8 +23,8 @@ READINGS = [
     pytest.param(RING, expansion, "mean_hoop_stress", given(p=lambda k: 1.0999 * k["p"]),
                  "mean hoop stress in the corners, Eq. 12", id="Eq. 12 as printed"),
     pytest.param(RING, polyhedral_ring, "hub_force", given(along=lambda k: -k["along"]),
-                 "displacement of the outer surface at the middle of the flats by the hub force "
-                 "at e",
+                 "displacement of the outer surface at the middle of the flats under the hub "
+                 "force at e",
                  id="the hub's friction reversed"),
     pytest.param(CLUTCH, torque, "hub_share", given(gamma=lambda _: 0.0), EQ_21,
                  id="gamma = 0 in the first design"),
@@ -36,8 +36,8 @@ READINGS = [
                  id="a free roller's force in Eq. 4"),
     pytest.param(WEDGE, partial_slip, "stick_half_width", lambda _: lambda *, Q, P, mu, a: a * (
         1 - Q / (mu * P)),
-                 "stick half-width of a roller pressed without friction, then loaded tangentially, "
-                 "T/(μN) = 0.4",
+                 "stick half-width at T/(μN) = 0.4 (roller pressed without friction, then loaded "
+                 "tangentially)",
                  id="c/a = 1 - T/(μN)"),
 ]  # fmt: skip
 

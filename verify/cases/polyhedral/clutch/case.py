@@ -48,8 +48,9 @@ class PolyhedralClutch(ClutchFormulas):
         ),
     )
     readings: ClassVar = (
-        "misprints are corrected: Eqs. 13, 17, 20 and 21 use the side of the polygon instead of "
-        "the arc; Eq. 21 has no factor β/360",
+        "misprints are corrected: the corrected Eqs. 13, 17, 20 and 21 contain the side length of "
+        "the polygon instead of the arc length between two corners; the corrected Eq. 21 has no "
+        "factor β/360",
         "Eq. 20 uses K for the middle of the flats, the lever a_f/cos ψ (a_f is the distance of "
         "the flats from the axis) and γ = 0; Eq. 21 uses K = 1, the lever d_i/2, γ = ψ and corners "
         "without fillets",
@@ -104,15 +105,16 @@ class PolyhedralClutch(ClutchFormulas):
         if self.alpha_need > self.alpha_ring:
             yield (
                 "without a cage, the rollers require a wedge angle of "
-                f"{degrees(self.alpha_need):.3g}°. The slope of the deformed ring under p_t is "
-                f"only {degrees(self.alpha_ring):.2g}°; a wedge of this angle transmits "
-                f"{self.M_ring:.3g} N m: a cage must transmit the remaining torque"
+                f"{degrees(self.alpha_need):.3g}°. The largest slope of the deformed outer surface "
+                f"of the ring, relative to a circle, is only {degrees(self.alpha_ring):.2g}° under "
+                f"p_t. A wedge of this angle transmits {self.M_ring:.3g} N m; a cage must transmit "
+                "the remaining torque"
             )
         if self.b > WIDE * self.delta_1 and isfinite(self.M_wide):
             yield (
-                f"b/δ_1 = {self.b / self.delta_1:.3g}: this wide ring is between plane stress, "
-                "which is assumed, and plane strain, in which the torque is "
-                f"{self.M_wide:.4g} N m; the rollers load the axial ends of the ring more than the "
+                f"b/δ_1 = {self.b / self.delta_1:.3g}: the state of this wide ring is between "
+                "plane stress, which is assumed, and plane strain, in which the torque would be "
+                f"{self.M_wide:.4g} N m. The rollers load the axial ends of the ring more than the "
                 "middle of its width"
             )
         if self.hub_share >= 1:

@@ -175,7 +175,7 @@ def comparisons(self: ClutchFormulas) -> Iterator[Comparison]:
     for x in "xy":
         yield balance(
             f"balance_{x}", f"balance of forces on half a sector, {x}", f"ΣF_{x}", "N/mm",
-            bound=1e-8, of={"the force of p_t on a side":
+            bound=1e-8, of={"the force of the pressure p_t on a side":
                             self.p_t * self.ring.d_i * float(np.sin(np.pi / self.z))},
             because=BALANCE,
         )  # fmt: skip

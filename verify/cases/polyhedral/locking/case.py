@@ -47,10 +47,10 @@ class LockedPolyhedralRing(LockedFormulas):
         "p_2 = p_t − K_mid p_1 (Eq. 19 with K for the middle of the flats)",
         "the friction force of the hub on the ring acts towards the middle of the flat; the angle "
         "between the hub force R and the radius through the hub contact is ψ + φ_1 (Eq. 14)",
-        "Eq. 13 uses the side of the polygon instead of the arc; Eq. 16 uses γ = 0: N is normal to "
-        "the flat. The incremental load-transfer ratio is the increase of the roller force, "
-        "divided by the increase of the load that causes it: pressure force on a flat (η) or hub "
-        "force (η_h)",
+        "the corrected Eq. 13 contains the side length of the polygon instead of the arc length "
+        "between two corners; Eq. 16 is used with γ = 0: N is normal to the flat. The incremental "
+        "load-transfer ratio is the increase of the roller force, divided by the increase of the "
+        "load that causes it: pressure force on a flat (η) or hub force (η_h)",
     )
     assumptions: ClassVar = (
         "linear elasticity, small strain; no friction at the rollers",

@@ -23,7 +23,7 @@ from verify.core.case import Check, Context
 from verify.form.comparisons import key_of
 from verify.judging.bands import OwnFillet, OwnFormula
 
-NEAR, ARC = 1e-4, "ratio of arc to chord of a side, from the balance of forces"
+NEAR, ARC = 1e-4, "balance of forces: arc length between two corners in place of the side length"
 CHORD = 1e-3, "statics: the pressure acts on the chord between two corners"
 FILLET = 5e-3, "a change of the peak stress by 0.5 % would show a wrong fillet radius"
 BALANCE = "accepted residual; the contact law is satisfied except for round-off"
@@ -68,12 +68,12 @@ def comparisons(self: LockedFormulas) -> Iterator[Comparison | Check]:
                       blur="fillet blur", wide=WIDE)  # fmt: skip
     yield Comparison(check=check, quantity=q, numbers=blur, shares=HALVES)
     for key, axis, name in (
-        ("balance_x", "x", "balance of forces normal to the flat, with hoop forces (Eq. 16)"),
+        ("balance_x", "x", "balance of forces normal to the flat: Eq. 16 with hoop forces added"),
         ("balance_y", "y", "balance of forces along the flat"),
         ("balance_roller", "x", "balance of forces on an elastic roller"),
     ):
         yield balance(key, name, f"ΣF_{axis}", "N/mm",
-                      of={"the force of p_t on a side": self.side}, bound=1e-8,
+                      of={"the force of the pressure p_t on a side": self.side}, bound=1e-8,
                       because=BALANCE)  # fmt: skip
     yield fact("incremental load-transfer ratio is larger with the widest contact than with the "
                "narrowest", "Δη", wider)  # fmt: skip
@@ -121,7 +121,7 @@ def _flat(self: LockedFormulas) -> Iterator[Comparison]:
             "p_2_long",
             ", against a long ring in plane strain",
             self.touch_long,
-            "plane strain (long ring)",
+            "plane strain for a long ring",
         ),
     ):
         yield approximation(

@@ -44,7 +44,8 @@ class LockedFormulas(PolygonSeries, LockingInputs):
     def p_2_long(self) -> float:
         return self.p_t - self.touch_long
 
-    @Quantity("F/b", "N/mm", "force of a roller without hub force", source="Eqs. 13 and 16",
+    @Quantity("F/b", "N/mm", "force of a roller without hub force, Eqs. 13 and 16",
+              source="Eqs. 13 and 16",
               safe="too low", tex=r"p_2 d_i \sin\left(\frac{\pi}{z}\right)")  # fmt: skip
     def F(self) -> float:
         return self._on_a_side(self.p_2)
@@ -54,7 +55,8 @@ class LockedFormulas(PolygonSeries, LockingInputs):
     def phi_1(self) -> float:
         return float(np.arctan(self.tan_phi))
 
-    @Quantity("N_16/b", "N/mm", "force of a roller with hub force", source="Eq. 16 with γ = 0",
+    @Quantity("N_16/b", "N/mm", "force of a roller with hub force, Eqs. 13 and 16",
+              source="Eq. 16 with γ = 0",
               safe="too low", tex=r"F/b + R/b \cos\left(\varphi_1\right)")  # fmt: skip
     def N_16(self) -> float:
         return float(forces.normal_force(F=self.F, R=self.R_b, phi_1=self.phi_1, gamma=0.0))
@@ -72,7 +74,7 @@ class LockedFormulas(PolygonSeries, LockingInputs):
         return float(self.side * printed.arc_over_chord(self.z))
 
     N = Quantity(
-        "N/b", "N/mm", "force of a roller", safe="too low",
+        "N/b", "N/mm", "force of a roller by the series", safe="too low",
         source="series, with Hertz's half-width a of the contact",
         tex=r"\frac{u_p p_t + u_h - \frac{j_D}{2}}{u_N(a)}",
     ).reads(lambda q: q.locked.N)  # fmt: skip

@@ -44,7 +44,8 @@ class PolyhedralMap(MapInputs):
     levels: ClassVar = fem.LEVELS
     scans: ClassVar = (Scan(vary=("delta_1=3mm,4mm", "rho=2mm,3mm"), star=True),)
     readings: ClassVar = (
-        "d_i is the diameter of the bore through its corners, measured with fillets. Therefore, "
+        "d_i is the diameter of the circle that touches the fillets in the corners of the bore. "
+        "Therefore, "
         "the wall in the corners is equal for all numbers of flats, and the wall above the flats "
         "is thicker if the ring has fewer flats",
     )

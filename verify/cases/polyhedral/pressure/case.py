@@ -222,7 +222,7 @@ class RingPressure(ThinRing):
         if self.R_p is None and self.straining > 3e-3:
             yield (
                 f"the hoop strain that closes the clearance is {self.straining:.2%}: most steels "
-                "yield at a smaller strain; enter R_p"
+                "yield at a smaller strain; enter the yield strength R_p"
             )
 
 

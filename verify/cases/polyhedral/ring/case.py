@@ -75,9 +75,10 @@ class PolyhedralRing(PolygonSeries, HubRing):
         Scan(vary=("rho=0.5mm,1mm,2mm,4mm", "delta_1=2mm,4mm,8mm"), star=True),
     )  # fmt: skip
     readings: ClassVar = (
-        "d_i is the diameter of the bore through its corners, measured with fillets, so that δ_1 "
-        "is the smallest wall thickness. If d_i is measured to corners without fillets, K of rings "
-        "with three to six flats is 10 to 47 % larger",
+        "d_i is the diameter of the circle that touches the fillets in the corners of the bore, so "
+        "that δ_1 is the smallest wall thickness. If d_i is instead the diameter of the circle "
+        "through the sharp corners of the polygon (without fillets), K of rings with three to six "
+        "flats is 10 to 47 % larger",
         "K refers to the pressure at which the outer surface above the middle of the flats, where "
         "the rollers are, has moved by j_D/2. K for the mean displacement of the outer surface and "
         "K for the displacement at the corners are also reported",
@@ -140,8 +141,8 @@ class PolyhedralRing(PolygonSeries, HubRing):
     def fillet_factor(self) -> float:
         return self.fillet / self.sigma_t
 
-    @Quantity("u_{1}({0})", "µm", "displacement of the outer surface at point {1} by the "
-              "hub force at point {0} (point mid: middle of a flat; point e: at the distance e "
+    @Quantity("u_{1}({0})", "µm", "displacement of the outer surface at point {1} under "
+              "the hub force at point {0} (point mid: middle of a flat; point e: at the distance e "
               "from the middle)",
               source=SERIES).over(tuple(PLACES), tuple(WHERE))  # fmt: skip
     def hub(self, at: str, where: str) -> float:
@@ -195,7 +196,7 @@ class PolyhedralRing(PolygonSeries, HubRing):
         yield identity(ring.flexibility, scale={"1/K_mid": 1 / self.K_mid}, **same)
         long = self.as_wide()
         wide = State(long, "strain", "plane strain")
-        yield identity(ring.K_mid, state=wide, **same | {"shares": "plane strain (long ring)"})
+        yield identity(ring.K_mid, state=wide, **same | {"shares": "plane strain for a long ring"})
         yield approximation(ring.K, "K_mid", order=4, expected=of_one(self.K_mid),
                             printed=("belcin:k-predimensioning",),
                             shares="plane stress")  # fmt: skip
@@ -203,7 +204,7 @@ class PolyhedralRing(PolygonSeries, HubRing):
                             expected=of_one(self.K_mean),
                             name="K = 1 against K for the mean displacement of the outer "
                             "surface")  # fmt: skip
-        yield approximation(ring.K, "K_mid_strain", order=4, shares="plane strain (long ring)",
+        yield approximation(ring.K, "K_mid_strain", order=4, shares="plane strain for a long ring",
                             expected=of_one(long.K_mid),
                             name="K = 1 against K in the middle of the flats, plane "
                             "strain")  # fmt: skip
@@ -236,8 +237,8 @@ class PolyhedralRing(PolygonSeries, HubRing):
         for at, place in PLACES.items():
             for where, words in WHERE.items():
                 yield identity(ring.hub(at, where),
-                               name=f"displacement of the outer surface at the {words} by the hub "
-                               f"force at {place}",
+                               name=f"displacement of the outer surface at the {words} under the "
+                               f"hub force at {place}",
                                symbol=f"u_{where}", scale=scale,
                                **same | {"order": 2, "shares": HUB})  # fmt: skip
         for x in "xy":

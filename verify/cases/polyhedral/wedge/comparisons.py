@@ -62,8 +62,8 @@ def comparisons(self: WedgeFormulas) -> Iterator[Comparison | Check]:
     yield fact("friction coefficient 1 % below tan(α/2) releases the roller (Eq. 2)", "N",
                below(REST, "around", 0))  # fmt: skip
     yield Comparison(check=Deviation(
-        name="deviation of T/(μN) from tan(α/2)/μ up to the largest wedge angle, and of N from "
-        "zero above it",
+        name="deviation of T/(μN) from tan(α/2)/μ at wedge angles that hold the roller, and of N "
+        "from zero at larger angles",
         symbol="ΔT/(μN)", unit="1",
         size=over_angles, accepted=EXPELLED, whole="μN", source=BALANCED, everywhere=True,
     ), quantity=case.wedged, shares=COULOMB)  # fmt: skip

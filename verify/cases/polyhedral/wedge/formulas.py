@@ -70,15 +70,16 @@ class WedgeFormulas(WedgeInputs):
         return float(wedging.least_normal_force(M_t=1.0, mu=self.mu, z=self.z, D_i=self.D_i))
 
     @Quantity("c/a", "1",
-              "stick half-width of a roller pressed without friction, then loaded tangentially",
+              "stick half-width at the friction force T of a free roller (roller pressed without "
+              "friction, then loaded tangentially)",
               role="step", source="Cattaneo", when=stays,
               tex=r"\sqrt{1 - \frac{T}{\mu N}}")  # fmt: skip
     def stick_free(self) -> float:
         load = {"Q": self.T, "P": self.N, "mu": self.mu, "a": self.a}
         return float(partial_slip.stick_half_width(**load) / self.a)
 
-    @Quantity("c/a({0:g})", "1", "stick half-width of a roller pressed without friction, then "
-              "loaded tangentially, T/(μN) = {0:g}",
+    @Quantity("c/a({0:g})", "1", "stick half-width at T/(μN) = {0:g} (roller pressed "
+              "without friction, then loaded tangentially)",
               source="Cattaneo").over(SHARES)  # fmt: skip
     def stick(self, k: Share) -> float:
         a = small(self)

@@ -258,12 +258,12 @@ RINGS = (
             pose=partial(hub, corner),
             quantities=(
                 Quantity(name="mid",
-                         row="displacement of the outer surface at the middle of the flats by the "
-                         f"hub force at {place}",
+                         row="displacement of the outer surface at the middle of the flats under "
+                         f"the hub force at {place}",
                          symbol="u_mid", **HUB),
                 Quantity(name="corner",
-                         row="displacement of the outer surface at the corners by the hub force "
-                         f"at {place}",
+                         row="displacement of the outer surface at the corners under the hub "
+                         f"force at {place}",
                          symbol="u_corner", **HUB),
             ),
         )
