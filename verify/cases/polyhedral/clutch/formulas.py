@@ -31,7 +31,8 @@ class ElasticClutch(ClutchInputs):
     def M_el(self) -> float:
         return self.hub.grip * self.line_load * self.all_levers
 
-    @Quantity("p_need", "MPa", "pressure for the target torque", source=SERIES, safe="too high")
+    @Quantity("p_need", "MPa", "pressure for the target torque, by the series", source=SERIES,
+              safe="too high")  # fmt: skip
     def p_need(self) -> float:
         return self.hub.required_pressure(self.line_need) if self.stays else inf
 
