@@ -40,7 +40,7 @@ SERIES = (
 CONTACT = (
     "derived: error of first order in βκa, with Dundurs' constant β and the curvature κ of the "
     "contact line; ± ((2 a/d)² + (a/wall)² + 1e-3 + j_D/d_e (1 + R/wall)), where the last term is "
-    "the effect of strain and bending of the ring and R is the relative radius of roller and ring"
+    "the effect of strain and bending of the ring; R is the relative radius of roller and ring"
 )
 RACE = (
     "derived: error of first order in βκa, with Dundurs' constant β and the curvature κ of the "
