@@ -85,7 +85,7 @@ def test_effects_that_were_measured_are_those_of_their_case_s_inputs_alone():
     context = Context(case.id, q, case.analytic(q), levels, is_paper=True)
     for case_id, which in (("contact-roller", "crowned"), ("contact-roller-flat", "flat")):
         name = (
-            f"load within d of both ends, half-space, roller with {which} profile; reference: "
+            f"load in both end zones d, half-space, roller with {which} profile; reference: "
             "model with end faces"
         )
         (check,) = (check for check in case.checks if check.name == name)

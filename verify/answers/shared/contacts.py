@@ -39,7 +39,7 @@ def _half_space(effect: float) -> Function:
             "not quantified for these inputs; run case contact-roller-end")  # fmt: skip
         ends = SharedReading(
             assumption="both bodies are half-spaces, which extend beyond the ends",
-            part="the roller ends there", quantity="the load within d of the ends",
+            part="the roller ends there", quantity="the load in the end zones d",
             effect=known, source=source,
         )  # fmt: skip
         aligned = () if hasattr(q, "theta") else (PARALLEL,)

@@ -222,9 +222,9 @@ class RollerOnFlat(FlatInputs):
     def figures(self) -> Iterator[AlongLine | Drawn]:
         """Figures: computed and exact pressure, error of Hertz's theory over a/R, convergence."""
         note = (
-            "Line: exact disc, force per area of the round surface; dots: finite elements, finest "
-            "mesh, up to x = 0.85 a. Lower diagram: line minus dots; band: uncertainty of the "
-            "whole profile."
+            "Line: exact solution of the disc, as force per area of the round surface; dots: "
+            "finite elements, finest mesh, up to x = 0.85 a. Lower diagram: line minus dots; band: "
+            "uncertainty of the whole profile."
         )
         yield figures.pressure(self, self.disc_pressure, "the exact disc", note)
         for q, theory, words in (

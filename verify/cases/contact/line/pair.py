@@ -97,12 +97,13 @@ class TwoRollers(TwoBodies):
             for R, E, nu in ((self.R_1, self.E_1, self.nu_1), (self.R_2, self.E_2, self.nu_2))
         )
 
-    @Quantity("p_s", "MPa", "peak pressure, second order", source="series of two discs",
-              role="step")  # fmt: skip
+    @Quantity("p_s", "MPa", "peak pressure with terms of second order in a/R",
+              source="series of two discs", role="step")  # fmt: skip
     def p_0_series(self) -> float:
         return self.p_0 * (1 + self.known.series[0].total)
 
-    @Quantity("a_s", "µm", "half-width, second order", source="series of two discs", role="step")
+    @Quantity("a_s", "µm", "half-width with terms of second order in a/R",
+              source="series of two discs", role="step")  # fmt: skip
     def a_series(self) -> float:
         return self.a * (1 + self.known.series[1].total)
 

@@ -47,7 +47,8 @@ class PressFit(FitFormulas):
     )
     readings: ClassVar = (
         "δ is the interference of the radii, half of the interference of the diameters",
-        "the walls are computed both as short (plane stress) and as long (plane strain)",
+        "some fits have axially short walls (plane stress), the others axially long walls (plane "
+        "strain)",
     )
     assumptions: ClassVar = (
         "the paper gives no fit: the housing (aluminium, rim radius 40 mm), δ and p_o are assumed; "

@@ -107,7 +107,7 @@ def balanced(q: StripRoller) -> Comparison:
 
 def loaded_ends(q: StripRoller) -> Comparison:
     """Row: the load near both ends by strips agrees with that of the half-space."""
-    check = Accepted(name="load within d of both ends: strips and half-space agree within "
+    check = Accepted(name="load in both end zones d: strips and half-space agree within "
                      f"{ENDS:.0%}",
                      symbol="F_d", unit="1", margin=within("F_d", ENDS, q.F))  # fmt: skip
     return Comparison(check=check, quantity=StripRoller.F_d, shares=SHARED)
@@ -115,8 +115,9 @@ def loaded_ends(q: StripRoller) -> Comparison:
 
 def end_pressure(q: StripRoller) -> Comparison:
     """Row: strips and half-space agree on Hertz's pressure of the load at the more loaded end."""
-    check = Accepted(name="Hertz's pressure of the mean line load within d of the more loaded end: "
-                     f"strips and half-space agree within {ENDS / 2:.0%}", symbol="p_d", unit="1",
+    check = Accepted(name="Hertz's pressure for the line load averaged over the more loaded end "
+                     f"zone d: strips and half-space agree within {ENDS / 2:.0%}",
+                     symbol="p_d", unit="1",
                      margin=within("p_d", ENDS / 2, lambda: q.p_0))  # fmt: skip
     return Comparison(check=check, quantity=StripRoller.p_d, shares=SHARED)
 

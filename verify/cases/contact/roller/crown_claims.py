@@ -91,7 +91,7 @@ def _peaks(context: Context, design: int) -> str:
     """Text: largest pressure of `design` and its rank, for two lengths of excluded end zones."""
     peaks = []
     for key, where in (
-        ("p_max", "outside the end zones d"), ("near", "outside 0.1 mm at each end"),
+        ("p_max", "outside the end zones d"), ("near", "outside the last 0.1 mm at each end"),
     ):  # fmt: skip
         found = _designs(context, key)[-1]
         place = int(np.argsort(np.argsort(found))[design]) + 1

@@ -80,7 +80,7 @@ def even(context: Context) -> Figure:
         curve = figures.half_space(context, words, ending(name), 2 * i)
         curves.append(replace(curve, y=curve.y * MPa / context.inputs.p_0))
     return plot(
-        "Pressure with the crowns for uniform pressure", "y [mm]", "p/p_0", curves,
+        "Pressure with the crowns of Lundberg and of Johns and Gohar", "y [mm]", "p/p_0", curves,
         y_bottom=0.9, y_top=1.1,
         note="Dots: half-space. p_0: Hertz's pressure of the uniform line load.",
     )  # fmt: skip
@@ -95,7 +95,7 @@ def ends(context: Context) -> Figure:
         near = (q.L / 2 - y < 10 * b) & (y < q.L / 2)
         curves.append(line(words, (q.L / 2 - y[near])[::-1] / b, p[near][::-1] / q.p_0, 2 * i))
     return plot(
-        "Pressure near the end with the crowns for uniform pressure",
+        "Pressure near the end with the crowns of Lundberg and of Johns and Gohar",
         "distance from the end over b", "p/p_0",
         curves,
         note="Lines: half-space. Towards the end, both pressures rise before they fall: for a "

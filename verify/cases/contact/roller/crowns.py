@@ -56,7 +56,7 @@ class ComparedCrowns(Divided, StripRoller):
     assumptions: ClassVar = texts.ASSUMPTIONS[:4]
     crown: ClassVar[str] = "Lundberg"  # of the quantities
 
-    @Quantity("A_1", "µm", "scale of the drop of both crowns for uniform pressure",
+    @Quantity("A_1", "µm", "scale of the drop of Lundberg's crown and of Johns and Gohar's crown",
               source="Lundberg", role="step", tex=r"\frac{F}{\pi l E*}")  # fmt: skip
     def A_1(self) -> float:
         return float(self.F / (np.pi * self.L * self.E_star))
@@ -143,7 +143,7 @@ class ComparedCrowns(Divided, StripRoller):
             state = State(self.with_crown(name), ending(name)[1:], words)
             for one, what, bound, source in (
                 (q.p_mid, MIDDLE, MID, SUBJECT), (q.delta, "approach", MID, SUBJECT),
-                (q.F_d, "load within d of both ends", AT_ENDS, third),
+                (q.F_d, "load in both end zones d", AT_ENDS, third),
             ):  # fmt: skip
                 yield comparisons.agreeing(
                     f"{what}, {words}: strips and half-space agree within {bound:.1%}",

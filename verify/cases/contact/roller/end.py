@@ -36,7 +36,7 @@ from verify.judging.checks import Accepted, Approximation, Margin
 
 mm = 1e-3
 HALF_SPACE = (64, 512)  # cells across and along
-FACE = 0.10  # of the load within d of the ends: least reduction by the face
+FACE = 0.10  # of the load in the end zones d: least reduction by the face
 SIZE_SHARE = 1 / 3  # of the reduction by the face: limit for that by the bodies' size
 EDGE_LEFT = 5e-3  # of the slope at the edge itself: terms of the order of its distances
 TERMS = (
@@ -61,7 +61,8 @@ class EndFace(Crown):
     levels: ClassVar = (2, 3, 4)
     readings: ClassVar = (
         "the race continues beyond the roller, as in a clutch",
-        "two equal races press the roller from two sides; each race is also loaded from two sides",
+        "two equal races press the roller on two opposite sides; each race is loaded by the roller "
+        "and by an equal pressure on the opposite side of the race",
     )
     assumptions: ClassVar = (
         "linear elasticity, no friction; solid cylinders with circular sections",
@@ -112,13 +113,13 @@ class EndFace(Crown):
                           source="half-space", role="step",
                           ).reads(lambda q: q.flat.p_mid)  # fmt: skip
 
-    @Quantity("F_d", "N", "load within d of both ends, half-space", source="half-space",
+    @Quantity("F_d", "N", "load in both end zones d, half-space", source="half-space",
               safe="too high",
               tex=r"\int_{-l/2}^{d - l/2} q\,dy + \int_{l/2 - d}^{l/2} q\,dy")  # fmt: skip
     def F_d(self) -> float:
         return sum(self.contact.end_load(self.d))
 
-    @Quantity("F_d/F", "1", "share of the load within d of both ends, half-space", role="step",
+    @Quantity("F_d/F", "1", "share of the load in both end zones d, half-space", role="step",
               tex=r"\frac{F_d}{F}")  # fmt: skip
     def end_share(self) -> float:
         return self.F_d / self.F
@@ -178,13 +179,13 @@ class EndFace(Crown):
             for state in self.states:
                 yield estimated(
                     q.F_d, f"F_d_{name}_{state.words}", state=state, symbol="F_d", order=1,
-                    name=f"load within d of both ends, half-space, roller with {state.words} "
+                    name=f"load in both end zones d, half-space, roller with {state.words} "
                          f"profile; reference: {words}",
                     expected=cost,
                 )  # fmt: skip
         for what, margin in (
-            (f"load within d of both ends: the end faces reduce it by {FACE:.0%} or more", face),
-            ("load within d of both ends: the finite size of the bodies contributes less than a "
+            (f"load in both end zones d: the end faces reduce it by {FACE:.0%} or more", face),
+            ("load in both end zones d: the finite size of the bodies contributes less than a "
              "third of the reduction", mostly),
         ):  # fmt: skip
             for state in self.states:

@@ -99,5 +99,5 @@ def patch() -> Picture:
     return replace(
         roller_figures.patch(),
         caption="Pressure on the contact patch of the roller with end faces, without crown; "
-        f"lengths across are magnified {STRETCH:.0f} times",
+        f"lengths across the roller are magnified {STRETCH:.0f} times",
     )  # fmt: skip

@@ -28,9 +28,9 @@ class FlatRoller(OnHalfSpace):
     """A cylindrical roller without a crown presses on a race.
 
     On a half-space, the pressure at the ends of the roller is infinite. The peak that a model gives
-    there depends on the size of its cells or slices only and has no physical meaning. The rows
-    judge values that converge, and the exponent with which the peak grows as the cells become
-    smaller.
+    there has no physical meaning: it depends only on the size of the cells or slices of the model.
+    The rows judge values that converge, and the exponent with which the peak grows as the cells
+    become smaller.
     """
 
     id = "contact-roller-flat"
@@ -104,7 +104,7 @@ class FlatRoller(OnHalfSpace):
             x, share = np.array([COUNTS[0], COUNTS[-1]], float), context.series("F_d")[1][-1]
             curves.append(dashes("half-space", x, share / self.F, 4))  # fmt: skip
         return plot(
-            "Share of the load within d of both ends over the number of strips", "n", "F_d/F",
+            "Share of the load in both end zones d over the number of strips", "n", "F_d/F",
             curves,
             y_bottom=0.9 * min(found),
             note="With strips narrower than b, the load near a loaded end does not converge: use "

@@ -71,23 +71,23 @@ class StripRoller(Roller):
     p_mid = Quantity("p", "MPa", f"{MIDDLE}, strips", source="strips", safe="too high",
                      tex=r"\frac{2 q}{\pi b_m}").reads(lambda q: q.strips.p_mid)  # fmt: skip
 
-    @Quantity("F_1", "N", "load within d of the more loaded end, strips", role="step",
+    @Quantity("F_1", "N", "load in the more loaded end zone d, strips", role="step",
               tex=r"\int_{l/2 - d}^{l/2} q\,dy")  # fmt: skip
     def F_1(self) -> float:
         return max(self.strips.ends)
 
-    @Quantity("p_d", "MPa", "Hertz's pressure of the mean line load within d of the more loaded "
-              "end, strips", source="strips", safe="too high",
+    @Quantity("p_d", "MPa", "Hertz's pressure for the line load averaged over the more loaded "
+              "end zone d, strips", source="strips", safe="too high",
               tex=r"\sqrt{\frac{F_1 E*}{\pi d R}}")  # fmt: skip
     def p_d(self) -> float:
         return float(np.sqrt(self.F_1 / self.d * self.E_star / (np.pi * self.R)))
 
-    @Quantity("F_d", "N", "load within d of both ends, strips", source="strips", safe="too high")
+    @Quantity("F_d", "N", "load in both end zones d, strips", source="strips", safe="too high")
     def F_d(self) -> float:
         low, high = self.strips.ends
         return low + high
 
-    @Quantity("F_d/F", "1", "share of the load within d of both ends, strips", role="step",
+    @Quantity("F_d/F", "1", "share of the load in both end zones d, strips", role="step",
               tex=r"\frac{F_d}{F}")  # fmt: skip
     def end_share(self) -> float:
         return self.F_d / self.F

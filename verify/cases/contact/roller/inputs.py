@@ -127,7 +127,7 @@ class Crown(Roller):
 
     K_1: float = given(
         2.1507, "1", "K_1",
-        "depth factor of the crown: ratio of the load with uniform pressure to Q", gt=0, le=100,
+        "depth factor of the crown: load that gives uniform pressure, divided by Q", gt=0, le=100,
         claims="huang2018:optimum-25nm-k1",
     )  # fmt: skip
     K_2: float = given(

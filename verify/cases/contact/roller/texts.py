@@ -29,8 +29,8 @@ ASSUMPTIONS = (
     "neighbouring grids counts as iteration error",
     "the weights w are Love's influence coefficients for uniform pressure over Hertz's contact "
     "width under the mean line load; the exponent is 10/9 (Palmgren's law). With other influence "
-    "functions for this width, or with the exponent 1 and an equal approach of the bodies, the "
-    "pressures change by less than the rows can detect",
+    "functions for this width, or with the exponent 1, scaled to the same approach of the bodies, "
+    "the pressures change by less than the rows can detect",
 )
 
 
@@ -40,7 +40,7 @@ def of_contact(q: "SlicedRoller") -> Iterator[str]:
         yield (
             f"an end is loaded: its pressure ({q.p_largest / 1e6:.4g} MPa with {q.n} strips) grows "
             "with every refinement, and the material yields; use p_d and the share of the load "
-            "within d of the ends; a free end face reduces this load by about a quarter "
+            "in the end zones d; a free end face reduces this load by about a quarter "
             "(contact-roller-end)"
         )
     if q.l_c < 0.98 * q.L * (1 - 1 / q.n):

@@ -27,7 +27,7 @@ class TiltedRoller(Tilt, CrownedRoller):
     """Races deflect and sprags tilt: the axis of the crowned roller is not parallel to the race.
 
     Strips and slices are computed with the gap of the tilted roller. Strips must predict the load
-    of the more loaded end.
+    in the more loaded end zone.
     """
 
     id = "contact-roller-tilted"
@@ -53,7 +53,7 @@ class TiltedRoller(Tilt, CrownedRoller):
         return float(self.strips.line @ self.strips.y * self.strips.width)
 
     F_high = Quantity(
-        "F_h", "N", "load within d of the more loaded end, strips", source="strips",
+        "F_h", "N", "load in the more loaded end zone d, strips", source="strips",
         safe="too high",
         tex=r"\int_{l/2 - d}^{l/2} q\,dy",
     ).reads(lambda q: q.strips.ends[1])  # fmt: skip
@@ -78,10 +78,10 @@ class TiltedRoller(Tilt, CrownedRoller):
             self.F * self.L, suites("equal to the default required sensitivity of a row"),
         )  # fmt: skip
         yield comparisons.agreeing(
-            "load within d of the more loaded end: strips and half-space agree within "
+            "load in the more loaded end zone d: strips and half-space agree within "
             f"{comparisons.ENDS:.0%}",
-            q.F_high, comparisons.ENDS, self.F, suites("equal to the accepted error without tilt"),
-            symbol="F_d",
+            q.F_high, comparisons.ENDS, self.F,
+            suites("with tilt, the accepted error is the same as without tilt"), symbol="F_d",
         )  # fmt: skip
         yield comparisons.end_pressure(self)
         yield self.best_row()

@@ -65,7 +65,7 @@ def _first_loading(context: Context) -> Profile:
         context, lines, at, [f"k = {k:g}" for k in SHARES],
         title="Traction under Q/(μP) = 0.2, 0.4, 0.6, 0.8",
         note=f"The outermost line is μp, the traction in sliding. Each traction deviates from this "
-        f"line inside its stick zone, whose edges are at {edges}.",
+        f"line inside its stick zone. For increasing Q, its edges are at {edges}.",
     )  # fmt: skip
 
 

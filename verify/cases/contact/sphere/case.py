@@ -22,7 +22,10 @@ from verify.core.figures import Picture
 from verify.form.adapter import adapted
 from verify.form.figures import AlongLine, Drawn
 
-ORDER = "derived first correction for finite spheres, ± (a/R)² of the smaller sphere, at least 2e-4"
+ORDER = (
+    "derived first-order correction for the finite size of the spheres, ± (a/R)² of the smaller "
+    "sphere, at least 2e-4"
+)
 SURFACE = (
     "estimated: ± a/R, because the pressure on the curved surface is inclined by r/R (r: distance "
     "from the axis); this changes the shear stress on the axis by up to (a/R) p_0"
@@ -76,12 +79,12 @@ class Spheres(SphereFormulas):
                     shear, order=2, state=state, symbol="τ_max",
                     expected=expected(point.axis_shear(beyond=at.beyond), SURFACE, least=BLUNT,
                                       sharp=0.02),
-                    name=f"largest shear stress, contact {WORDS[pair]}, {body} body",
+                    name=f"largest shear stress, {WORDS[pair]}, {body} body",
                     sensitivity=FIRST_ORDER,
                 )  # fmt: skip
             for body in BODIES[pair]:
                 yield balance(f"{body}_balance{END[pair]}",
-                              f"balance of forces on the {body} sphere, contact {WORDS[pair]}",
+                              f"balance of forces on the {body} sphere, {WORDS[pair]}",
                               "ΣF_y", "N",
                               of={"load": self.P}, bound=1e-7, because=DIRECT)  # fmt: skip
 
@@ -99,7 +102,7 @@ class Spheres(SphereFormulas):
             power = 1.5 if q is by.force else 1.0  # P is proportional to delta^(3/2)
             known = point.corrected(excess, beyond=self.beyond, power=power)
             yield approximation(
-                q, order=order, state=state, name=f"{what} {state.words}",
+                q, order=order, state=state, name=f"{what}, {state.words}",
                 expected=expected(known, ORDER, least=LEAST), sensitivity=(sharp, SHARP),
             )  # fmt: skip
 
@@ -136,20 +139,20 @@ class Spheres(SphereFormulas):
             wide, where = at.beyond**0.5, WORDS[pair]
             if wide > 0.05:
                 yield (
-                    f"a/R = {wide:.2g} {where}: error of Hertz's approach about "
+                    f"a/R = {wide:.2g}, {where}: error of Hertz's approach about "
                     f"{at.approach / at.approach_finite - 1:.1%}, of Hertz's pressure about "
                     f"{at.p_0 / at.p_0_finite - 1:.1%}"
                 )
             shear = max(at.shear_of(body)[0] for body in BODIES[pair])
             if self.R_p is not None and shear > self.R_p / 2:
                 yield (
-                    f"shear stress {shear / 1e6:.4g} MPa {where} exceeds R_p/2 = "
+                    f"shear stress {shear / 1e6:.4g} MPa ({where}) exceeds R_p/2 = "
                     f"{self.R_p / 2e6:.4g} MPa: the body yields below the surface (Tresca)"
                 )
             softest = self.E_1 if pair == "flat" else min(self.E_1, self.E_2)
             if self.R_p is None and at.p_0 > 0.02 * softest:
                 yield (
-                    f"p_0 = {at.p_0 / 1e6:.4g} MPa {where} is {at.p_0 / softest:.1%} of E: "
+                    f"p_0 = {at.p_0 / 1e6:.4g} MPa ({where}) is {at.p_0 / softest:.1%} of E: "
                     "hardened steel yields below 2 %; enter R_p"
                 )
 

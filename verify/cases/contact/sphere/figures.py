@@ -77,14 +77,14 @@ def stresses(q: SphereFormulas, body: str) -> Iterator[AlongLine]:
 
 
 def errors(q: SphereFormulas) -> Drawn:
-    """Figure: errors of Hertz's theory, without and with the first correction."""
+    """Figure: errors of Hertz's theory, without and with the first-order correction."""
 
     @converged
     def drawn(context: Context) -> Dots:
         items: list[tuple[str, float, float | None, str]] = []
         for key, words in (("a", "a"), ("p_0", "p_0"), ("approach", "δ")):
             fe = context.series(f"{key}{END[q.pair]}")[1][-1]
-            for label, suffix in (("Hertz", ""), ("first correction", "_finite")):
+            for label, suffix in (("Hertz", ""), ("first-order correction", "_finite")):
                 error = (getattr(q, f"{key}{suffix}") / fe - 1) * 1e4
                 items.append((f"{words}, {label}", error, None, "formula"))
         items.append(("finite elements", 0.0, None, "fe"))

@@ -1,4 +1,4 @@
-"""Formulas of a point contact: Hertz, and the first correction for finite spheres."""
+"""Formulas of a point contact: Hertz, and the first-order correction for finite spheres."""
 
 from math import pi
 
@@ -7,7 +7,7 @@ from verify.case import Quantity, shared
 from verify.cases.contact.sphere.inputs import SphereInputs
 
 HERTZ = "Hertz"
-FINITE = "first correction for finite spheres"
+FINITE = "first-order correction for the finite size of the spheres"
 
 
 class SphereFormulas(SphereInputs):
@@ -59,15 +59,15 @@ class SphereFormulas(SphereInputs):
         return 2 * pi * self.finite.a_excess
 
     a_finite = Quantity(
-        "a_f", "mm", "contact radius of finite spheres", source=FINITE, role="step",
+        "a_f", "mm", "contact radius with first-order correction", source=FINITE, role="step",
         tex=r"a (1 + \frac{\varepsilon}{2 \pi})",
     ).reads(lambda q: q.finite.a)  # fmt: skip
     p_0_finite = Quantity(
-        "p_f", "MPa", "peak pressure of finite spheres", source=FINITE, role="step",
+        "p_f", "MPa", "peak pressure with first-order correction", source=FINITE, role="step",
         tex=r"p_0 (1 - \frac{\pi \varepsilon}{8})",
     ).reads(lambda q: q.finite.p_0)  # fmt: skip
     approach_finite = Quantity(
-        "δ_f", "µm", "approach of the equatorial planes, finite spheres",
+        "δ_f", "µm", "approach of the equatorial planes with first-order correction",
         source=FINITE, role="step",
     ).reads(lambda q: q.finite.approach)  # fmt: skip
 

@@ -10,7 +10,7 @@ from verify.case import Case, given
 
 Pair = Literal["flat", "sphere"]
 PAIRS: tuple[Pair, ...] = ("flat", "sphere")
-WORDS: dict[Pair, str] = {"flat": "on a rigid flat", "sphere": "on a sphere"}
+WORDS: dict[Pair, str] = {"flat": "contact on a rigid flat", "sphere": "contact on a sphere"}
 BODIES = {"flat": ("upper",), "sphere": ("upper", "lower")}
 END = {"flat": "_flat", "sphere": ""}  # of the names of numbers
 WIDEST = 0.15  # a over the smaller radius
@@ -58,8 +58,8 @@ class SphereInputs(Case):
             wide = self.of(pair).width / (self.R_1 if pair == "flat" else least)
             if not 1e-5 <= wide <= WIDEST:
                 raise ValueError(
-                    f"a point contact requires a/R from 1e-05 to {WIDEST:g}, got {wide:.3g} "
-                    f"{WORDS[pair]} with P = {self.P:g} N"
+                    f"a point contact requires a/R from 1e-05 to {WIDEST:g}, got {wide:.3g} for "
+                    f"the {WORDS[pair]} with P = {self.P:g} N"
                 )
         return self
 

@@ -185,10 +185,10 @@ CONTACTS = (
     *(
         Cross(
             id=f"contact-sphere, {pair}", case="contact-sphere", solver=CALCULIX,
-            what=f"an axisymmetric sphere {words} at Hertz's approach",
+            what=f"an axisymmetric sphere at Hertz's approach, {words}",
             pose=partial(sphere, pair),
             quantities=(
-                Quantity(name="load", row=f"force at Hertz's approach {words}", symbol="P(δ)",
+                Quantity(name="load", row=f"force at Hertz's approach, {words}", symbol="P(δ)",
                          unit="N", allowed=CONTACT, why=PENALTY),
             ),
         )
@@ -197,7 +197,8 @@ CONTACTS = (
     *(
         Cross(
             id=f"contact-slip, {words}", case="contact-slip", solver=CALCULIX,
-            what=f"half discs with friction, pressed by P, upper disc {words} by Q, plane strain",
+            what="half discs with friction, pressed by P; the upper half disc is "
+                 f"{words} by Q (pushed: to Q_max; swung back: to −Q_max/2); plane strain",
             pose=partial(slip, stage),
             quantities=(
                 Quantity(name=NORMAL, symbol="P", unit="N/mm", allowed=CONTACT, why=PENALTY),
