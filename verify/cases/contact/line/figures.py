@@ -104,7 +104,8 @@ def pictures(a: float, below: float = 1.0) -> Iterator[Picture]:
     more: dict[str, Any] = {"field": "contact", "mirror": ("x",), "displacement": "",
                             "window": (-reach, -reach * below, reach, reach)}  # fmt: skip
     yield Picture(data="shear", symbol="τ/p_0", unit="1", factor=1.0,
-                  caption="Maximum in-plane shear stress over p_0 (means of cells); by Hertz, the "
-                  "largest value is 0.30, at a depth of 0.79 a", **more)  # fmt: skip
+                  caption="Maximum in-plane shear stress over p_0 (mean value of each cell); by "
+                  "Hertz, the largest value is 0.30, at a depth of 0.79 a", **more)  # fmt: skip
     yield Picture(data="von_mises", symbol="σ_v", unit="MPa", factor=1e6,
-                  caption="Von Mises stress near the contact (means of cells)", **more)  # fmt: skip
+                  caption="Von Mises stress near the contact (mean value of each cell)",
+                  **more)  # fmt: skip

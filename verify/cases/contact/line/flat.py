@@ -37,7 +37,7 @@ from verify.judging.profile_checks import Coefficient, Points, ProfileError
 SWEEP = (0.015, 0.03, 0.06, 0.1, 0.15)  # Hertz's a/R
 WIDEST = SWEEP[-1]
 WIDE = f"a/R = {WIDEST:g}"
-LIMITS = "accepted error of the contact models"
+LIMITS = "accepted error of this quantity"
 DEPTH = 5e-3  # relative to the depth of the largest shear stress
 DISC = "elastic disc between flats"
 SERIES = (
@@ -190,9 +190,9 @@ class RollerOnFlat(FlatInputs):
     def profile(self) -> Comparison:
         """Row: L2 difference between the pressure profiles of finite elements and exact disc."""
         check = ProfileError(
-            name="L2 error of the pressure profile, disc", symbol="e_2", unit="1", fem="L2",
-            analytic="zero", scale="one", formal=1, demand=PROFILE, demand_reason=LIMITS,
-            errors=l2_errors(self.disc_pressure),
+            name="L2 error of the pressure profile relative to the exact disc", symbol="e_2",
+            unit="1", fem="L2", analytic="zero", scale="one", formal=1, demand=PROFILE,
+            demand_reason=LIMITS, errors=l2_errors(self.disc_pressure),
         )  # fmt: skip
         numbers = {"zero": 0.0, "one": 1.0}
         return Comparison(check=check, quantity=RollerOnFlat.p_0_disc, numbers=numbers)

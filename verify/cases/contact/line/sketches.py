@@ -28,7 +28,7 @@ def sector(y: float, r: float, *, below: bool = False) -> Shape:
 def flat(q: "FlatInputs") -> Sketch:
     """Sketch of a roller between rigid flats."""
     return sketch(
-        f"roller between rigid flats, {q.shown('L')} long", room(2.4, 2.6),
+        f"roller, {q.shown('L')} long, between rigid flats", room(2.4, 2.6),
         circle(1.0, "body", (0.0, 1.0)), sector(1.0, 1.0),
         arrow((-1.4, 0.0), (1.4, 0.0), style="clamp"),
         arrow((1.4, 2.0), (-1.4, 2.0), style="clamp"),
@@ -46,7 +46,7 @@ def pair(q: "TwoRollers") -> Sketch:
     top, low = max(q.R_1 / size, 0.05), max(q.R_2 / size, 0.05)
     load = 2 * top + 0.1
     return sketch(
-        f"two rollers to scale, {q.shown('L')} long", room(2.4, 2.6),
+        f"two rollers, {q.shown('L')} long, to scale", room(2.4, 2.6),
         circle(top, "body", (0.0, top)), circle(low, "body", (0.0, -low)),
         sector(top, top), sector(-low, low, below=True),
         arrow((0.0, -2 * low - 0.15), (0.0, 2 * top + 0.15), style="axis"),
@@ -64,7 +64,7 @@ def ring(q: "RollerInRace") -> Sketch:
     force = 2 * R + 0.38  # the upper end of its arrow, with its label above
     half = np.vstack([arc(r_i, 1.0, -90, 180), arc(r_i, r_i, 90, -180)])
     return sketch(
-        f"roller in a race, to scale, {q.shown('L')} long", room(2.0, 2.2),
+        f"roller, {q.shown('L')} long, in a race, to scale", room(2.0, 2.2),
         circle(1.0, "body", (0.0, r_i)), circle(r_i, "hole", (0.0, r_i)),
         shape("modelled", half), circle(R, "body", (0.0, R)), sector(R, R),
         arrow((0.0, r_i - 1.15), (0.0, force), style="axis"),

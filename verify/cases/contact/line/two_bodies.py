@@ -19,7 +19,7 @@ class TwoBodies(LineContact):
         "206 GPa",
         "GPa",
         "E_1",
-        "Young's modulus of the roller, or of the upper roller",
+        "Young's modulus of the roller (with two rollers: of the upper roller)",
         gt=0,
         le=1e5,
     )
@@ -27,15 +27,25 @@ class TwoBodies(LineContact):
         0.3,
         "1",
         "ν_1",
-        "Poisson's ratio of the roller, or of the upper roller",
+        "Poisson's ratio of the roller (with two rollers: of the upper roller)",
         ge=0,
         le=0.45,
     )
     E_2: float = given(
-        "206 GPa", "GPa", "E_2", "Young's modulus of the race, or of the lower roller", gt=0, le=1e5
+        "206 GPa",
+        "GPa",
+        "E_2",
+        "Young's modulus of the race (with two rollers: of the lower roller)",
+        gt=0,
+        le=1e5,
     )
     nu_2: float = given(
-        0.3, "1", "ν_2", "Poisson's ratio of the race, or of the lower roller", ge=0, le=0.45
+        0.3,
+        "1",
+        "ν_2",
+        "Poisson's ratio of the race (with two rollers: of the lower roller)",
+        ge=0,
+        le=0.45,
     )
 
     @Quantity("E*", "GPa", "contact modulus, plane strain", role="step", source="Hertz",

@@ -101,7 +101,8 @@ class PressFit(FitFormulas):
             ("rings", "hoop_stress", "Hoop stress of both rings"),
             ("shaft", "von_mises", "Von Mises stress with a solid shaft"),
         ):
-            yield picture(f"{name}, plane stress", data, f"{what}, plane stress, means of cells",
+            yield picture(f"{name}, plane stress", data,
+                          f"{what}, plane stress (mean value of each cell)",
                           mirror="xy", displacement="")  # fmt: skip
 
     sketch = drawn.sketch

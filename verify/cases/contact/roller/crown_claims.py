@@ -34,8 +34,8 @@ def uneven(key: str, crown: str, far: float) -> Accepted:
         )
 
     return Accepted(
-        name=f"pressure with {crown} uniform within {FLAT:.0%}, except within {far:g} b of the "
-        "ends",
+        name=f"pressure with {crown} is uniform within {FLAT:.0%} at more than {far:g} b from "
+        "the ends",
         symbol="p", unit="1", margin=margin,
     )  # fmt: skip
 

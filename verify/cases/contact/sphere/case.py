@@ -31,7 +31,7 @@ SURFACE = (
     "from the axis); this changes the shear stress on the axis by up to (a/R) p_0"
 )
 LEAST, BLUNT = 2e-4, 5e-3  # least slack, of Hertz and of his shear stress
-SHARP = "accepted error of the contact models"
+SHARP = "accepted error of this quantity"
 FIRST_ORDER = 0.04, "the expected error is an estimate of first order in a/R"
 DIRECT = "direct solution: machine epsilon times the condition number, with cells from a/50 to R"
 

@@ -107,4 +107,5 @@ def pictures(a: float) -> Iterator[Picture]:
     ):  # fmt: skip
         yield Picture(field="sphere", data=data, symbol=symbol, unit="MPa", factor=1e6,
                       mirror=("x",), displacement="", window=(-reach, -reach, reach, reach),
-                      caption=f"{words} near the contact of spheres, means of cells")  # fmt: skip
+                      caption=f"{words} near the contact of spheres (mean value of each cell)",
+                      )  # fmt: skip
