@@ -197,8 +197,8 @@ CONTACTS = (
     *(
         Cross(
             id=f"contact-slip, {words}", case="contact-slip", solver=CALCULIX,
-            what="half discs with friction, pressed by P; the upper half disc is "
-                 f"{words} by Q (pushed: to Q_max; swung back: to −Q_max/2); plane strain",
+            what=f"half discs with friction, pressed by P, upper half disc {words} (pushed: "
+                 "Q = Q_max; swung back: Q = −Q_max/2), plane strain",
             pose=partial(slip, stage),
             quantities=(
                 Quantity(name=NORMAL, symbol="P", unit="N/mm", allowed=CONTACT, why=PENALTY),
