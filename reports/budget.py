@@ -134,7 +134,7 @@ def lines(row: RowBudget) -> list[tuple[str, str, str]]:
     found = [(TOTAL, "formula and finite elements, all causes included", percent(row.total, row.U))]
     found += [(p.cause, *_contribution(p)) for p in row.parts if not p.shared]
     found += [
-        ("both causes", f"both causes removed at once: {' and '.join(joint.causes)}",
+        ("both causes", f"both causes removed at once: “{'” and “'.join(joint.causes)}”",
          f"{percent(joint.value)} beyond the sum of both contributions" if joint.value is not None
          else joint.note)
         for joint in row.joints

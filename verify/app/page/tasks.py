@@ -48,7 +48,7 @@ def fields(case: str, name: str, raw: Mapping[str, Any], notify: Notify) -> tupl
     result = _solved(file, notify).result
     if found := shapes(result.fields, result.pictures):
         return found
-    raise InputError("the pictures of this case require certain fields; the solution contains none of them")
+    raise InputError("the pictures of this case require fields that the solution does not contain")
 
 
 def _solved(file: ParameterFile, notify: Notify) -> Checked:
