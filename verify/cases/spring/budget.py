@@ -90,7 +90,7 @@ def fem_firmer(q: CurveInputs, level: int) -> FemResult:
     return FemResult(h=1 / level, values={"k1": float(2 * once - twice)})
 
 
-PROPORTION = "very small displacement, with the force scaled in proportion"
+PROPORTION = "very small displacement; the force is scaled in proportion to the displacement"
 HEAD = "at very small displacement, a free head instead of a guided head"
 EQ_9_FAR = ("force by Eq. 9 against the guided spring*",)
 EQ_9 = ("stiffness by Eqs. 1-9 against curved beam elements",)
@@ -109,22 +109,24 @@ STATEMENTS: Mapping[str, Statement] = {
         ),
         without=(NO_PLANE, Without(Cause.DISPLACEMENT, "both models assume small displacements")),
         corrected=(
-            Corrected("stiffness by Eqs. 1-9 with the inner radius against the true centre line",
-                      "k_V", "inner radius of the arcs instead of the radius of their centre line"),
+            Corrected("stiffness by Eqs. 1-9 with the inner radius in all arcs, against a frame "
+                      "with the true centre line", "k_V",
+                      "inner radius of the arcs instead of the radius of their centre line"),
             *(Corrected(f"stiffness by Eqs. 1-9 with the inner radius only in {part}", "k_V",
                         "inner radius of these arcs instead of the radius of their centre line")
               for part in ("the arc of one end, head or tail (Eqs. 1, 2, 6)",
                            "the inner segments (Eqs. 3, 4)")),
             Corrected("stiffness by Eqs. 1-9 with the leaf length as printed in Eq. 3", "k1",
                       "leaf length by the geometry instead of Eq. 3 as printed"),
-            Corrected("stiffness of a spring with five segments and the tail of Eq. 5 as printed",
+            Corrected("stiffness of a spring with five segments, Eq. 5 (tail) with the printed "
+                      "sign",
                       "k1_five", "sign of Eq. 5 for an odd number of segments"),
         ),
         finer=48,
     ),
     "spring-continuum": Statement(
         reruns=(
-            Rerun(cause=Cause.GEOMETRY, what="a strip half as thick", inputs=half_as_thick,
+            Rerun(cause=Cause.GEOMETRY, what="half of the strip thickness", inputs=half_as_thick,
                   levels=(2, 4)),
             Rerun(cause=Cause.PLANE, what="plane strain instead of plane stress",
                   rows=("*plane stress",), changes=plane_strain(), shared=True),
@@ -159,7 +161,7 @@ STATEMENTS: Mapping[str, Statement] = {
         reruns=(
             Rerun(cause=Cause.GEOMETRY, what="three times as many segments", rows=HARINGX,
                   inputs=many, levels=(4,)),
-            Rerun(cause=Cause.GEOMETRY, what="a strip a quarter as thick", rows=HARINGX,
+            Rerun(cause=Cause.GEOMETRY, what="a quarter of the strip thickness", rows=HARINGX,
                   inputs=thin, levels=(4,)),
         ),
         left=(

@@ -16,7 +16,7 @@ from verify.core.results import Status
 mm = 1e-3
 Q = CurveSpring()
 STATES, CELLS = 17, 2  # of the runs here: every millimetre of the stroke
-TENFOLD = "stiffness rises at least tenfold after the loops touch (stage BE)"
+TENFOLD = "stiffness after the loops touch (stage BE) is at least ten times k_2"
 JUDGED = ("no interpenetration of leaves",
           "slopes k_1 and k_2 do not depend on the contact stiffness",
           "slopes k_1 and k_2 do not change if the cell size is halved",

@@ -80,7 +80,8 @@ class AccordionSpring(FreeStage):
         "arcs, but r + b/2 in L_2. With r + b/2 everywhere, k_1 of the paper's spring is 3.2 % "
         "smaller",
         "the term 2 L_1/sin α of Eq. 3 means 2 (L_1/2)/sin α, and its h/2 means b/2",
-        "the signs of Eq. 3 alternate from unit to unit; T_0 in the text is T_1 = F (L_1/2 + r)",
+        "the signs of Eq. 3 alternate from segment to segment; T_0 in the text is "
+        "T_1 = F (L_1/2 + r)",
         "the head is free to rotate and to move sideways; the tail is clamped at the end of its "
         "arc",
     )
@@ -182,7 +183,8 @@ class AccordionSpring(FreeStage):
         )  # fmt: skip
         yield approximation(
             spring.k1, COMBINED[0].named("k_V"), order=4, expected=self._of_inner_radius(),
-            name="stiffness by Eqs. 1-9 with the inner radius against the true centre line",
+            name="stiffness by Eqs. 1-9 with the inner radius in all arcs, against a frame with "
+            "the true centre line",
             shares=SHARED,
         )  # fmt: skip
         for one, where in (
@@ -201,8 +203,8 @@ class AccordionSpring(FreeStage):
         )  # fmt: skip
         yield from self._odd()
         yield Comparison(quantity=spring.nominal_stress, check=Contradiction(
-            name="bending stress at the largest test force against the yield strength", symbol="σ",
-            unit="MPa", analytic="nominal_stress", reference="wang2023:yield-strength",
+            name="bending stress at the largest test force, compared with the yield strength",
+            symbol="σ", unit="MPa", analytic="nominal_stress", reference="wang2023:yield-strength",
             erratum="wang2023:yield-strength",
         ))  # fmt: skip
         yield Comparison(quantity=spring.slenderness, check=Contradiction(
@@ -231,7 +233,7 @@ class AccordionSpring(FreeStage):
         )  # fmt: skip
         yield approximation(
             AccordionSpring.k1_printed_tail, FIVE.named("k_V"),
-            name="stiffness of a spring with five segments and the tail of Eq. 5 as printed",
+            name="stiffness of a spring with five segments, Eq. 5 (tail) with the printed sign",
             expected=underived("the printed sign applies to an even number of segments"), **more,
         )  # fmt: skip
 

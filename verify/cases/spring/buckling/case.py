@@ -86,10 +86,10 @@ class BucklingSpring(BucklingFormulas):
             yield approximation(
                 spring.column_U, f"U_cr{KEYS[tail]}", symbol="U_cr", order=4,
                 name=f"displacement at buckling by Haringx's column with the {WHERE[tail]}",
-                shares=SHARED, expected=underived("the ends of the spring are not units"),
+                shares=SHARED, expected=underived("head and tail are not units (arc, leaf, arc)"),
             )  # fmt: skip
         yield Comparison(quantity=spring.column_U, check=Limit(
-            name="error of Haringx's column for increasing numbers of units, "
+            name="error of Haringx's column tends to zero as the number of units increases, "
             "tail clamped at its arc",
             symbol="U_cr", unit="1", points=claims.many_units, exponent=0.5, paper_only=True,
         ))  # fmt: skip
@@ -126,7 +126,7 @@ def _swept() -> Iterator[Check]:
     yield Agreement(
         name="the buckling force grows with the cube of the thickness", symbol="q", unit="1",
         pair=claims.by_cube, accepted=CUBE / 3, by="theory",
-        source=suites("axial strain and shear change the exponent by only (b/L_1)²"),
+        source=suites("1e-3 for the exponent, which axial strain and shear change by (b/L_1)²"),
     )  # fmt: skip
     yield Agreement(
         name="U_cr of springs with the same centre line is equal for thicknesses of 0.5 b to 2 b",
@@ -140,7 +140,7 @@ def _swept() -> Iterator[Check]:
         printed=("wang2023:rule-length-thickness-max",),
     )  # fmt: skip
     for name, margin in (
-        ("a head that is free from the first load moves sideways without a critical point",
+        ("a head that is never guided moves sideways without a critical point",
          claims.stays),
         (f"a spring with a hinged head does not buckle at displacements up to {HINGED_TO:.0%} "
          "of L_0", claims.hinged),

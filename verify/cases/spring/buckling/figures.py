@@ -95,7 +95,7 @@ def _error(context: Context, found: Array) -> Map:
         rows=tuple(f"{k * q.L1 / mm:.3g}" for k in MAP_L1), error=xi / found - 1,
         checked=np.isfinite(found), without="never buckles",
         note="Error of U_cr in per cent, with a free head and the tail clamped at its arc. The "
-        "error arises because the ends of the spring are not units.",
+        "error arises because head and tail are not units (arc, leaf, arc) of the column.",
     )  # fmt: skip
 
 

@@ -75,7 +75,10 @@ class BucklingFormulas(BucklingInputs, Case):
                    source=EXACT).reads(lambda q: q._critical.get("k_y", math.nan))  # fmt: skip
 
     @Quantity(
-        "u_y({0:g} P)", "mm", "lateral displacement of a free head under {0:g} P", source=EXACT
+        "u_y({0:g} P)",
+        "mm",
+        "lateral displacement of a free head under {0:g} times the Euler load P",
+        source=EXACT,
     ).over(DRIFT)
     def drift(self, share: Share) -> float:
         return self._critical.get(f"drift_{share}", math.nan)

@@ -1,4 +1,4 @@
-"""Accordion spring, the whole curve: geometrically exact beams with contact (Wang et al. 2023)."""
+"""Force-displacement curve of an accordion spring in all stages (Wang et al. 2023)."""
 
 import math
 from collections.abc import Iterator
@@ -36,7 +36,7 @@ class CurveSpring(CurveInputs, Case):
     """
 
     id = "spring-curve"
-    title = "Accordion spring, the whole curve"
+    title = "Accordion spring, force-displacement curve in all stages"
     source = "wang2023"
     place = "Sec. 2, Eq. 10, Fig. 9; Table 1"
     levels: ClassVar = beams.LEVELS

@@ -54,7 +54,7 @@ def deviations() -> Iterator[Deviation]:
 
 def accepted() -> Iterator[Accepted]:
     """Rows on the third stage, and on the paper's spring against Eq. 10."""
-    yield Accepted(name="stiffness rises at least tenfold after the loops touch (stage BE)",
+    yield Accepted(name="stiffness after the loops touch (stage BE) is at least ten times k_2",
                    symbol="dF/dU", unit="1", margin=claims.stiffens)  # fmt: skip
     fitted: dict[str, Any] = {"unit": "1", "fitted": FITTED, "paper_only": True}
     yield Accepted(name="the chosen reading has the k_1 nearest to Eq. 10", symbol="k_1",

@@ -21,7 +21,7 @@ class CurveInputs(SpringInputs):
 
     width_factor: float = quantity(
         1.0957, "1", "f",
-        "width factor: stiffness of the strip over that of a narrow strip, at most 1/(1 - ν²)",
+        "width factor: bending stiffness of the strip over E I, at most 1/(1 - ν²)",
         ge=1, le=1.3,
     )  # fmt: skip
     mu: float = quantity(

@@ -130,10 +130,10 @@ def _of_paper() -> Iterator[Comparison]:
         symbol="F", unit="1", margin=claims.free_head,
     ))  # fmt: skip
     yield Comparison(check=Agreement(
-        name="axial force on a straight path within 1 % of the axial force on the roller's "
+        name="the axial force on a straight path is within 1 % of the axial force on the roller's "
         "slanted path",
         symbol="F_x", unit="N", pair=claims.travel, accepted=WAY,
-        source=suites("the required sensitivity of 1 %"), **demanded(WAY),
+        source=suites("equal to the required sensitivity of the row"), **demanded(WAY),
     ))  # fmt: skip
     yield Comparison(quantity=MapSpring.error_of_tests, check=Contradiction(
         name="force by Eq. 9 against Eq. 10 at the largest test force", symbol="e_r", unit="%",

@@ -81,7 +81,7 @@ def tables(q: Any, context: Context) -> Sequence[Table]:  # noqa: ARG001
     slope = math.degrees(math.atan2(q.y_r, q.x_r))
     longer = math.hypot(q.x_r, q.y_r) / q.x_r - 1
     rows = [
-        ("excess length of the slanted path over x_r", f"{longer:+.2%}"),
+        ("relative amount by which the slanted path is longer than x_r", f"{longer:+.2%}"),
         ("angle between path and axis of the spring", f"{slope:.2f}°"),
         (
             "change of direction of the chamber wall along the path",
@@ -90,7 +90,7 @@ def tables(q: Any, context: Context) -> Sequence[Table]:  # noqa: ARG001
         ("sagitta of the chamber wall along the path", f"{q.kappa * q.x_r**2 / 8 / mm:.3f} mm"),
         ("axial force at the end of a straight path, by Eq. 9", f"{q.k1 * q.x_r:.4g} N"),
         (
-            "axial force at the end of a straight path, by the guided elastica",
+            "axial force at the end of a straight path, by the elastica with a guided head",
             f"{q.F_x_straight:.4g} N",
         ),
         ("axial force at the end of the roller's slanted path", f"{q.F_x:.4g} N"),

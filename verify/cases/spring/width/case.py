@@ -36,11 +36,11 @@ MOST = 30  # largest number of segments for which shells are solved
 FOIL = 3000  # length over thickness of a leaf, above which narrow shells are ill-conditioned
 PLATE = 3.0  # width over thickness of a leaf, below which it is not a plate
 SLENDER = 0.2  # length of an arc over the length of a leaf
-HELD = 5e-4, "a shell with the edges in plane strain is equivalent to a beam"
+HELD = 5e-4, "a shell whose edges are held in plane strain is equivalent to a beam"
 PLATES = 5e-4, "a thin leaf is a Kirchhoff plate"
 FIFTH = "one fifth of the accepted difference of 0.5 % from plane stress or plane strain"
 HALF = "half of the required sensitivity of 1 %"
-CURVE = "half of the accepted difference of the width factor that case spring-curve uses"
+CURVE = "half of the difference accepted for the width factor that case spring-curve uses"
 THEORY = "accepted difference between shell theory and a thin solid"
 FITTED = "these end conditions are chosen because they give the printed stiffness"
 FRAME = "force method on the true centre line"
@@ -238,9 +238,10 @@ def _limits() -> Iterator[Comparison]:
     ))  # fmt: skip
     for q, which, name in (
         (spring.k_narrow, 0,
-         "width factor of the narrowest spring within 0.5 % of the factor in plane stress"),
-        (spring.k_wide, -1, f"width factor of a spring with h/l = {WIDE[-1]:g} within 0.5 % of the "
-         "factor in plane strain"),
+         "width factor of the narrowest computed spring is within 0.5 % of the factor in plane "
+         "stress"),
+        (spring.k_wide, -1, f"width factor of a spring with h/l = {WIDE[-1]:g} is within 0.5 % of "
+         "the factor in plane strain"),
     ):  # fmt: skip
         pair = claims.at_end(which)
         yield Comparison(quantity=q, check=_agrees(name, pair, claims.LIMIT, HALF))
@@ -252,17 +253,18 @@ def _accepted() -> Iterator[Comparison | Check]:
         yield _agrees(f"stiffness of a loop by shell and by solid elements, {what}",
                       claims.solids(name), claims.SOLID, THEORY, by="solids")  # fmt: skip
     for name, pair, accepted, why in (
-        ("width factors of one leaf and of the spring equal within 0.1 %", claims.estimate,
+        ("width factors of one leaf and of the spring are equal within 0.1 %", claims.estimate,
          claims.ESTIMATE, CURVE),
-        ("width factors of one leaf and of the spring equal within 0.5 %, over all widths",
-         claims.estimates, claims.SWEEP, HALF),
+        ("width factors of one leaf and of the spring are equal within 0.5 % at all computed "
+         "widths", claims.estimates, claims.SWEEP, HALF),
     ):  # fmt: skip
         yield Comparison(quantity=WideSpring.f, check=_agrees(name, pair, accepted, why))
     yield _agrees("the width factor is the same for all end conditions", claims.ends, claims.HEAD,
-                  "half of the tolerance of the width factor of one leaf",
+                  "half of the difference accepted between leaf and whole spring",
                   by="lowest factor")  # fmt: skip
-    yield _agrees("the width factor is the same for a uniform force on the head", claims.uniform,
-                  claims.UNIFORM, "one tenth of the tolerance for other end conditions",
+    yield _agrees("the width factor is the same for a straight head and for a uniform force on the "
+                  "head", claims.uniform, claims.UNIFORM,
+                  "one tenth of the difference accepted between end conditions",
                   by="uniform force")  # fmt: skip
     yield Agreement(
         paper_only=True,

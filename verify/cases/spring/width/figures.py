@@ -76,8 +76,8 @@ def _widths(context: Context) -> Table:
             for w, a, b in zip(h, f, leaf, strict=True)
         ),
         note="A strip that is narrower than thick is not a plate. If the width is smaller than the "
-        "length of a leaf, the arcs, whose anticlastic bending is suppressed, stiffen the spring "
-        "more than the leaves do.",
+        "length of a leaf, the arcs stiffen the spring more than the leaves do, because the arcs "
+        "cannot bend across the width.",
     )  # fmt: skip
 
 

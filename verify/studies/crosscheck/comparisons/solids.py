@@ -88,7 +88,8 @@ SOLIDS = (
     *(
         Cross(
             id=f"spring-width, loop, {words}", case="spring-width", solver=CALCULIX,
-            what=f"half the width of a loop of the spring by solid elements, side edge {words}",
+            what=f"half the width of a loop of the spring by solid elements, side edge {words} in "
+            "the direction of the width",
             pose=partial(loop, held),
             quantities=(
                 Quantity(name=K, symbol="k", unit="N/mm", allowed=5e-3, why=BRICKS,

@@ -278,13 +278,14 @@ SPRINGS = (
     *(
         Cross(
             id=f"spring-buckling, drift{near}", case="spring-buckling", solver=CALCULIX,
-            what=f"free head of the spring under the dead load {share:g} P, large displacement",
+            what=f"free head of the spring under a dead load of {share:g} times the Euler load P, "
+            "large displacement",
             pose=partial(drift, share),
             quantities=(
                 Quantity(name="u_x", symbol="u_x", unit="mm", **SLENDER),
                 Quantity(name="u_y", symbol="u_y", unit="mm", allowed=5e-3, why=why,
-                         row=f"lateral displacement of a free head under {share:g} P, tail clamped "
-                         "at its arc"),
+                         row=f"lateral displacement of a free head under {share:g} times the "
+                         "Euler load P, tail clamped at its arc"),
             ),
         )
         for share, near, why in ((0.5, "", TWO_SIDES), (0.9, " near P", f"{TWO_SIDES}; {STEEP}"))
