@@ -146,8 +146,8 @@ STATEMENTS: Mapping[str, Statement] = {
         ),
         without=(Without(Cause.PLANE, "shells and solids have the true width"),),
         corrected=(
-            Corrected("k_1 of a narrow strip (E I) against the shell", "k",
-                      "E I instead of E I times the width factor of a leaf"),
+            Corrected("k_1 of a narrow strip (E I), compared with the shell model of the suite",
+                      "k", "E I instead of E I times the width factor of a leaf"),
         ),
     ),
     "spring-curve": Statement(

@@ -65,8 +65,9 @@ def accepted() -> Iterator[Accepted]:
     yield Accepted(name="k_2 of the chosen reading against Eq. 10", symbol="k_2",
                    margin=claims.near("k2", K2, lambda: eq10().k2), **fitted,
                    printed=("wang2023:k2-fea",))  # fmt: skip
-    yield Accepted(name="displacement at the intersection of both fitted lines against Eq. 10",
+    yield Accepted(name="displacement at the intersection of both fitted lines, compared with "
+                   "Eq. 10",
                    symbol="U", margin=claims.near("U", CROSSING, lambda: eq10().U),
                    **fitted)  # fmt: skip
-    yield Accepted(name="force for U = 1 to 17 mm against Eq. 10", symbol="F", margin=claims.along,
-                   **fitted)  # fmt: skip
+    yield Accepted(name="force for U = 1 to 17 mm, compared with Eq. 10", symbol="F",
+                   margin=claims.along, **fitted)  # fmt: skip

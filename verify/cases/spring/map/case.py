@@ -119,8 +119,8 @@ def _of_paper() -> Iterator[Comparison]:
         printed=("wang2023:k1-error-large-z",),
     ))  # fmt: skip
     yield Comparison(quantity=k1, check=Accepted(
-        name="error of Eqs. 1-9 at small displacement decreases with L_0/b for the same centre "
-        "line",
+        name="error of Eqs. 1-9 at small displacement decreases with increasing L_0/b for the "
+        "same centre line",
         symbol="k_1", unit="1", margin=claims.falls,
         printed=("wang2023:k1-error-large-z", "wang2023:rule-length-thickness-max"),
     ))  # fmt: skip
@@ -136,8 +136,9 @@ def _of_paper() -> Iterator[Comparison]:
         source=suites("equal to the required sensitivity of the row"), **demanded(WAY),
     ))  # fmt: skip
     yield Comparison(quantity=MapSpring.error_of_tests, check=Contradiction(
-        name="force by Eq. 9 against Eq. 10 at the largest test force", symbol="e_r", unit="%",
-        analytic="error_of_tests", reference="wang2023:theory-fea-error-max",
+        name="force by Eq. 9, compared with the force by Eq. 10, at the largest test force",
+        symbol="e_r", unit="%", analytic="error_of_tests",
+        reference="wang2023:theory-fea-error-max",
         erratum="wang2023:theory-error-six-percent",
     ))  # fmt: skip
 

@@ -132,7 +132,7 @@ class StageSpring(StageFormulas):
         test = "paper's test"
         for q, words, what, printed in (
             (spring.k1, "k_1", test, "k1-test"), (spring.k2, "k_2", test, "k2-test"),
-            (spring.intercept, "force of the second line at U = 0", "constant of Eq. 10",
+            (spring.intercept, "force at U = 0 on the line of slope k_2", "constant of Eq. 10",
              "eq10-ab-intercept"),
         ):  # fmt: skip
             name = f"{words} against the {what}, calibrated interpretation of the paper"
@@ -144,7 +144,7 @@ class StageSpring(StageFormulas):
         wide = State(guided, "guided_wide", "guided head and wide strip", displayed=False)
         for q in (spring.k1, spring.k2):
             for what, printed in (("paper's shell model", "fea"), (test, "test")):
-                name = f"{q.symbol} with a guided head and a wide strip against the {what}"
+                name = f"{q.symbol} with a guided head and a wide strip, compared with the {what}"
                 yield _beside(q, wide, name, f"{q.name}-{printed}")
 
     refusal = too_slender

@@ -73,7 +73,7 @@ class StageFormulas(StagesInputs, Case):
                   source=TIPS,
                   tex=r"\frac{EI}{J - J_C}").reads(lambda q: q._stages.k2)  # fmt: skip
 
-    @Quantity("c_2", "N", "force of the second line at U = 0", source=TIPS)
+    @Quantity("c_2", "N", "force at U = 0 on the line of slope k_2", source=TIPS)
     def intercept(self) -> float:
         return self.F_A - self.k2 * self.U_A
 

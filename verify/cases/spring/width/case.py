@@ -160,7 +160,8 @@ class WideSpring(WidthInputs, Case):
                             expected=figure, sensitivity=(2 * claims.ESTIMATE, BOTH_WAYS),
                             shares=SMALL)  # fmt: skip
         yield approximation(
-            spring.k_narrow, "k", name="k_1 of a narrow strip (E I) against the shell", order=2,
+            spring.k_narrow, "k",
+            name="k_1 of a narrow strip (E I), compared with the shell model of the suite", order=2,
             expected=about(1 / self.f - 1, claims.SWEEP, f"1/f − 1, with f by {RITZ}"),
             shares=SMALL,
         )  # fmt: skip
