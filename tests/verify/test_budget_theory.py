@@ -49,7 +49,10 @@ def test_shear_and_stretching_of_the_strip_are_those_of_the_force_method():
 
 
 def test_loads_spread_over_a_race_explain_all_of_eq_6_as_the_fourier_ring_has_it():
-    row, case = "deflection by Eq. 6, compared with the displacement at a load", "ring-loads-outer"
+    row, case = (
+        "deflection by Eq. 6, compared with the displacement under a sprag",
+        "ring-loads-outer",
+    )
     plan = plan_of(case)
     v = plan.case.analytic(plan.case.inputs())
     as_it_is = error(case, (), 8, row)

@@ -78,9 +78,9 @@ def test_a_card_states_where_the_error_stays_within_each_limit_and_what_breaks_i
     assert grid.problems == ("4 points: level 1: ValueError: 9 holes do not fit",)
     assert grid.error[3 * 3] == pytest.approx(error(4), abs=1e-4)  # a = 4 mm, n = 3
     assert grid.breaks == (
-        "the error exceeds 5 % already at the default inputs; from the middle of the range in "
-        "which the error is within 5 %, towards larger a, the error first exceeds 5 % between 2 "
-        "and 3 mm (at about 2.8)"
+        "the error exceeds 5 % already at the default inputs; in the middle of the stated range, "
+        "the error is within 5 %; from there, with increasing a, the error first exceeds 5 % "
+        "between 2 and 3 mm (at about 2.8)"
     )
     assert star.over == "a 1 to 5 mm (4 values), b 1 to 2 mm (2 values), one input varied at a time"
     assert limits(star)[1] == (0.05, 2, 3, 0, "a 1 to 2 mm (other inputs constant)")
@@ -93,10 +93,10 @@ def test_a_point_that_is_not_surely_inside_has_its_reason(folder):
     plan = kept.plans(PLATE)[2]  # b = 1 mm and 2 mm, where the case has it
     for error_at_1, U, counts, words in (
         (0.04, 0.02, (1, 0, 1, 0),
-         "towards smaller b, the error is within 5 % as far as 2 mm; it is undecided at 1 mm, "
+         "with decreasing b, the error is within 5 % as far as 2 mm; it is undecided at 1 mm, "
          "because the error bar crosses the limit"),
         (0.08, 0.01, (1, 1, 0, 0),
-         "towards smaller b, the error first exceeds 5 % between 1 and 2 mm (at about 1.5)"),
+         "with decreasing b, the error first exceeds 5 % between 1 and 2 mm (at about 1.5)"),
         (NAN, NAN, (1, 0, 0, 1),
          "no solved point is beyond 5 %; not solved at b = 1 mm"),
     ):  # fmt: skip
@@ -120,7 +120,7 @@ def test_inputs_varied_one_at_a_time_are_no_box(folder):
     found = region(plan, course(plan, errors, [1e-4] * 5))  # no answer hides no break
     assert (
         found.breaks
-        == "towards smaller a, the error first exceeds 5 % between 1 and 2 mm (at about 1.8)"
+        == "with decreasing a, the error first exceeds 5 % between 1 and 2 mm (at about 1.8)"
     )
 
 
@@ -210,10 +210,10 @@ def test_a_formula_has_its_equation_where_it_is_certain_which():
     case = registry.find("ring-loads-outer", registry.CASES)
     equations = case.equations(case.inputs(), case.analytic(case.inputs()))
     by_name = {pair.name: pair for pair in pairs(case)}
-    at_load = by_name["deflection by Eq. 6, compared with the displacement at a load"]
+    at_load = by_name["deflection by Eq. 6, compared with the displacement under a sprag"]
     assert tex(case, at_load, equations).startswith(r"\delta_{BE} = \frac{N n}{2 \pi l E}")
     assert place(case, at_load) == "Huang 2018, Eq. 6"
-    assert tex(case, by_name["rim displacement at the angle of a load"], equations) == ""
+    assert tex(case, by_name["rim displacement at the angle of a sprag"], equations) == ""
     stress = next(p for p in pairs(PLATE) if p.name == "stress")
     one, other = Equation(tex=r"\sigma = E"), Equation(tex=r"\sigma = F")
     assert [tex(PLATE, stress, found) for found in ([one], [one, other])] == [one.tex, ""]

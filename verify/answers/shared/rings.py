@@ -30,7 +30,7 @@ def _lame(_: Any, v: Values) -> tuple[SharedReading, ...]:
         SharedReading(
             assumption="the pressure is uniform around the race",
             part="individual sprags or rollers press on the "
-                 "race", quantity="the displacement at a load",
+                 "race", quantity="the displacement under a sprag",
             source="not quantified here; -25 % for 12 sprags (case ring-loads-outer)",
         ),
         SharedReading(
@@ -46,7 +46,7 @@ def _loads(q: Any, _: Values) -> tuple[SharedReading, ...]:
     radial = SharedReading(
         assumption="the sprags press along radii, without friction",
         part="friction at a sprag adds a tangential force of some percent of the radial force",
-        quantity="the displacement at a load",
+        quantity="the displacement under a sprag",
     )
     width = SharedReading(
         assumption=FREE, part=HELD, quantity="the mean displacement",
@@ -60,7 +60,7 @@ def _loads(q: Any, _: Values) -> tuple[SharedReading, ...]:
         effect=((1 / q.R - 1 / q.r_i) / (1 / SPRAG_END - 1 / q.r_i)) ** 0.5 - 1,
     )  # fmt: skip
     return (width, *((outer,) if bore and math.isclose(q.R, SPRAG_PRINTED) else ()), radial,
-            equal_shares("sprags", "the displacement at a load"))  # fmt: skip
+            equal_shares("sprags", "the displacement under a sprag"))  # fmt: skip
 
 
 SPRAG_PRINTED, SPRAG_END = 4.02e-3, 4.3376e-3  # m, inner radius as printed, outer of sprag-wedge

@@ -73,10 +73,11 @@ def balanced(clutch: Any, of_cam: Quantity, words: Named) -> Iterator[Comparison
     yield accepted(of_cam, f"torque compared with {on_cam}", "torque_cam", "error", within=1e-3,
                    source=OTHER)  # fmt: skip
     yield accepted(clutch.N, "equal normal forces of both contacts (Eq. 2)", "unlike_N",
-                   "difference", within=1e-3, source=TORQUE, by="value on the flat")  # fmt: skip
+                   "difference", within=1e-3, source=TORQUE,
+                   by="force on the flat, taken as 1")  # fmt: skip
     yield accepted(clutch.F_t, "equal tangential forces of both contacts (Eq. 2)", "unlike_F_t",
                    f"{n.unlike_forces}: difference", within=4e-3,
-                   source=BOTH, by="value on the flat")  # fmt: skip
+                   source=BOTH, by="force on the flat, taken as 1")  # fmt: skip
     yield accepted(clutch.phi, "wind-up from the strain energy compared with that by exact "
                    "rolling, both by finite elements", "rolling", within=5e-3,
                    words=f"exact rolling neglects that tangential forces deform {n.rolling}: error"

@@ -58,15 +58,15 @@ LOADS = Statement(
     reruns=(
         Rerun(
             cause=Cause.GEOMETRY, what=WAVE,
-            rows=("deflection by Eq. 6, compared with the displacement at a load",
-                  "deflection by Eq. 6, compared with the displacement between loads"),
+            rows=("deflection by Eq. 6, compared with the displacement under a sprag",
+                  "deflection by Eq. 6, compared with the displacement between sprags"),
             fem=fem_wave,
         ),
         Rerun(
             cause=Cause.GEOMETRY,
             what="in addition, the first harmonic is omitted: uniform pressure",
-            rows=("deflection by Eq. 6, compared with the displacement at a load",
-                  "deflection by Eq. 6, compared with the displacement between loads"),
+            rows=("deflection by Eq. 6, compared with the displacement under a sprag",
+                  "deflection by Eq. 6, compared with the displacement between sprags"),
             fem=fem_smeared, after=WAVE,
         ),
         Rerun(
@@ -82,7 +82,7 @@ LOADS = Statement(
         Left(("deflection *indentation*",), "the indentation of the half-plane is relative to an "
              "assumed depth; no body corresponds to this model"),
     ),
-    finer=20, headline="deflection by Eq. 6, compared with the displacement at a load",
+    finer=20, headline="deflection by Eq. 6, compared with the displacement under a sprag",
 )  # fmt: skip
 
 STATEMENTS: Mapping[str, Statement] = {

@@ -18,7 +18,7 @@ ASKEW = 30.0  # degrees: their direction, on no line of the mesh's symmetry
 FAST = 1e-3, "the fields are smooth: curved quadratic cells give errors far below 1 %"
 SQUARED: dict[str, Any] = {
     "demand": 0.025,
-    "demand_reason": "the order must be 4 within 0.1: twice the order 2 of the energy norm",
+    "demand_reason": "the order must be 4 ± 0.1; theory: twice the order 2 of the energy norm",
 }
 PROFILE_NOTE = (
     "Line: formula. Dots: finite elements on a radius at 30°. Lower diagram: formula minus finite "

@@ -39,18 +39,24 @@ def _start(found: Region, limit: str) -> str:
     """Start of the text if the search did not start at the default inputs; otherwise empty."""
     if not found.nominal:
         return (
-            f"{_at_nominal(found, limit)}; from the middle of the range in which the "
-            f"error is within {limit}, "
+            f"{_at_nominal(found, limit)}; in the middle of the stated range, the error is within "
+            f"{limit}; from there, "
         )
     nominal = [(one, one.axis.nominal) for one in found.box]
     inside = all(v is None or one.low <= v <= one.high for one, v in nominal)
     if inside:
         return ""
-    return f"from the default inputs, which are within {limit} but outside the stated range, "
+    return (
+        f"the error is within {limit} at the default inputs, although they are outside the stated "
+        "range; from there, "
+    )
 
 
 def _broken(step: Break, limit: str) -> str:
-    axis, towards = step.axis, f"towards {'larger' if step.up else 'smaller'} {step.axis.symbol}"
+    axis, towards = (
+        step.axis,
+        f"with {'increasing' if step.up else 'decreasing'} {step.axis.symbol}",
+    )
     if step.verdict == OUTSIDE:
         ends = words.between(axis, step.last, step.first)
         near = "" if step.at is None else words.near(axis, step.last, step.first, step.at)

@@ -13,7 +13,7 @@ from verify.cases.ring.loads.formulas import SpragLoads
 from verify.cases.ring.loads_map.case import MAP
 from verify.cases.ring.rotation.case import ROTATION, RotatingRace
 
-AT_LOAD = "bore displacement at a load"
+AT_LOAD = "bore displacement under a sprag"
 
 
 def race(**changes):
@@ -27,12 +27,12 @@ READINGS = [
     pytest.param(OUTER, hertz_line, "relative_radius", given(R_2=lambda k: -k["R_2"]), AT_LOAD,
                  id="the race's curvature has the other sign"),
     pytest.param(OUTER, SpragLoads, "race", race(n=lambda q: q.n // 2, P=lambda q: 2 * q.P),
-                 "peak-to-peak ripple of the deflection, divided by its mean",
+                 "peak-to-peak variation of the deflection, divided by the mean deflection",
                  id="N and the force of two sprags each"),
     pytest.param(OUTER, loaded_race, "share", lambda f: lambda x: 1.0 + 0 * f(x),
-                 "hoop force in the cut between loads", id="a point force for the ellipse"),
+                 "hoop force in the cut between sprags", id="a point force for the ellipse"),
     pytest.param(MAP, fourier_ring, "_wall_tractions", lambda f: lambda *a: 1.01 * f(*a),
-                 "displacement at a load, divided by δ_6, n = 12, r_o/r_i = 1.35",
+                 "displacement under a sprag, divided by δ_6, n = 12, r_o/r_i = 1.35",
                  id="loads 1 % too large"),
     pytest.param(ROTATION, rotating, "_load", lambda f: lambda rho, w: f(rho, w * 9.549),
                  "bore growth, plane stress", id="r/min for an angular speed"),
@@ -50,8 +50,8 @@ def test_n_is_the_number_of_sprags(fails):
     found = fails(OUTER, smeared, "race_deflection", fault, "")
     assert {
         "bore displacement, mean",
-        "deflection by Eq. 6, compared with the displacement at a load",
-        "deflection by Eq. 6, compared with the displacement between loads",
+        "deflection by Eq. 6, compared with the displacement under a sprag",
+        "deflection by Eq. 6, compared with the displacement between sprags",
     } <= found
 
 

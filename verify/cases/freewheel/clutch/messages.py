@@ -102,7 +102,7 @@ def scattered(q: ClutchInputs, v: Values) -> list[str]:
     slips = ", ".join([*lost, f"{share(v['P_slip'])} slip"])
     return [
         f"random sample of {DRAWS:,} clutches with {', '.join(given)}; all rollers of a clutch "
-        f"are identical: {slips} (classes by μ/μ_req: {shares}){spread}"
+        f"are identical; of these clutches, {slips} (classes by μ/μ_req: {shares}){spread}"
     ]
 
 

@@ -104,9 +104,9 @@ class FreewheelCup(Cup):
         "no load except the torque acts on shaft and cup. All parts are of one steel, which is "
         "assumed elastic at any pressure: at the largest torque, the pressures exceed the "
         "permissible pressure of steel",
-        "the finite elements model one pitch, with small displacements from a prescribed position "
-        "of the roller. At this position, the roller neither creeps nor rotates. The friction "
-        "coefficient is twice the required friction coefficient",
+        "the finite-element model is one pitch, with small displacements from a prescribed "
+        "position of the roller. At this position, the roller neither creeps nor rotates. The "
+        "friction coefficient is twice the required friction coefficient",
         "roller travel and strain energy between the computed states are interpolated by splines "
         "over the normal force",
         "in the formula, a ring replaces the cup; the area of its bore is the area enclosed by the "

@@ -177,8 +177,8 @@ def slips_in_time(q: Quantity, case: int) -> Comparison:
     check = Agreement(
         name=f"time of slip, load case {case}", symbol="t", unit="s", accepted=SLIP,
         pair=lambda c: in_time(c, case),
-        source=suites("times at which the axial load differs by "
-                      f"±{SLIP:.0%} from the axial load at slip by finite elements"),
+        source=suites("times at which the axial load is "
+                      f"{SLIP:.0%} below or above its value at slip in the finite elements"),
     )  # fmt: skip
     return Comparison(check=check, quantity=q, shares=COULOMB)
 

@@ -27,7 +27,8 @@ from verify.form.adapter import adapted
 
 SHARP = "accepted error of this quantity"
 ENCLOSED = (
-    "the compliance of the star is known only as an interval, between those of a layer and of discs"
+    "the compliance of the star is only known to lie between the smallest and the largest "
+    "compliance of a layer and two discs"
 )
 PRINTED_ERROR = "the error of the formula is 22 %, so that a sensitivity of 3 % is sufficient"
 ON_FLAT = "factor (R + X)/(2X), because Eq. 7 assumes rolling on a circle instead of on a flat"
@@ -39,8 +40,8 @@ NO_LEVER = (
     "at the distance x"
 )
 ROOM = (
-    "in small displacements, forces act on the undeformed mesh, beside the middle of the contacts: "
-    "error"
+    "the theory of small displacements applies the forces to the undeformed mesh, beside the "
+    "middle of the contacts: error"
 )
 NAMED = statics.Named(
     cam="star", race="ring", race_radius="R", flat_distance="X", form="Eq. 3, corrected",
@@ -54,14 +55,14 @@ ROLLED = (
     "assumption of rolling. Eq. 7 as printed replaces the flat by a circle of radius X."
 )
 LEAVES = (
-    "The deviation grows with the normal force for two reasons: the surfaces tilt, and, for small "
-    "displacements, the forces act on the undeformed mesh. The deviations at both contacts are "
-    "equal and opposite: the mean of F_t/F_n is tan(ψ/2)."
+    "The deviation grows with the normal force for two reasons: the surfaces tilt, and the "
+    "theory of small displacements applies the forces to the undeformed mesh. The deviations at "
+    "both contacts are equal and opposite: the mean of F_t/F_n is tan(ψ/2)."
 )
 
 
 class FreewheelTorque(Star):
-    """Roller freewheel under torque: rollers wedged between star and ring travel with the load.
+    """Roller freewheel under torque: the load moves the rollers between star and ring.
 
     The corrected Eqs. 3 to 7 of the paper give clamping angle, normal force, roller travel and
     wind-up over torque. They agree with finite elements of one pitch of star, roller and ring, with
@@ -93,9 +94,9 @@ class FreewheelTorque(Star):
         "α_0 chosen as 3.5°",
         "the star is clamped in its bore, and no load except the torque acts on the ring. All "
         "parts are of one steel",
-        "the finite elements model one pitch, with small displacements from a prescribed position "
-        "of the roller. At this position, the roller neither creeps nor rotates. The friction "
-        "coefficient is twice the required friction coefficient",
+        "the finite-element model is one pitch, with small displacements from a prescribed "
+        "position of the roller. At this position, the roller neither creeps nor rotates. The "
+        "friction coefficient is twice the required friction coefficient",
         "roller travel and strain energy are interpolated by splines between six computed states, "
         "and by a power law below the first state",
         "the expected errors have three causes. The compliance of the star is only known to lie "

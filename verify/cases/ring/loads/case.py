@@ -77,7 +77,7 @@ class OuterRace(SpragRace):
     """Eq. 6 replaces the forces of n sprags by a uniform pressure.
 
     Finite elements of half a pitch agree with the Fourier-series solution of the ring. Both give
-    the error of Eq. 6 at a load and between loads, with and without the local indentation.
+    the error of Eq. 6 under a sprag and between sprags, with and without the local indentation.
     """
 
     id = "ring-loads-outer"

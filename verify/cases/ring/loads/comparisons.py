@@ -17,7 +17,7 @@ from verify.judging.convergence import grid_convergence
 from verify.judging.judge import expanded, numerical_uncertainty
 from verify.judging.tolerance_checks import Deviation
 
-BY_SUBJECT = "accepted difference between finite elements and the Fourier ring"
+BY_SUBJECT = "accepted difference between finite elements and the Fourier series"
 EDGE = 1.5  # order at the load: even cells on the pressure's square-root end
 AWAY = 3.0  # away from it: twice the order of the energy norm, which is 3/2 due to that end
 FITTED = "force and length of the sprags are identified, not printed"
@@ -25,8 +25,9 @@ PATCHES = "Hertz's pressure on the contact patches, radial forces, plane stress"
 RADII = "radial forces, plane stress"
 DEPTH = {SpragLoads.dent.name: 1.0, SpragLoads.dent_half.name: 0.5}  # over the wall
 BY_FOURIER = (
-    "derived: deflection by the Fourier ring, which is independent of these finite elements; local "
-    "indentation by integration of McEwen's stresses along the normal at the centre of the contact"
+    "derived: deflection by the Fourier series of the ring, which is independent of these finite "
+    "elements; local indentation by integration of McEwen's stresses along the normal at the "
+    "centre of the contact"
 )
 
 
@@ -51,45 +52,45 @@ def comparisons(self: SpragLoads) -> Iterator[Comparison | Check]:
     wall, far = ("bore", "rim") if self.loaded == "bore" else ("rim", "bore")
     shared: dict[str, Any] = {"sensitivity": (ACCEPTED, BY_SUBJECT), "shares": PATCHES}
     for q, name, order in (
-        (race.load, f"{wall} displacement at a load", EDGE),
-        (race.between, f"{wall} displacement between loads", AWAY),
-        (race.far_load, f"{far} displacement at the angle of a load", AWAY),
-        (race.far_between, f"{far} displacement between loads", AWAY),
+        (race.load, f"{wall} displacement under a sprag", EDGE),
+        (race.between, f"{wall} displacement between sprags", AWAY),
+        (race.far_load, f"{far} displacement at the angle of a sprag", AWAY),
+        (race.far_between, f"{far} displacement between sprags", AWAY),
     ):
         yield identity(q, name=name, scale=race.load, order=order, **shared)
     yield identity(race.smeared, "mean", name=f"{wall} displacement, mean", order=AWAY,
                    **shared | {"shares": RADII})  # fmt: skip
-    yield identity(race.ripple, name="peak-to-peak ripple of the deflection, divided by its mean",
-                   order=EDGE, **shared)  # fmt: skip
+    yield identity(race.ripple, name="peak-to-peak variation of the deflection, divided by the "
+                   "mean deflection", order=EDGE, **shared)  # fmt: skip
     for q, name in (
-        (race.hoop_between, f"hoop stress between loads, {wall}"),
-        (race.far_hoop_load, f"hoop stress at the angle of a load, {far}"),
-        (race.far_hoop_between, f"hoop stress between loads, {far}"),
+        (race.hoop_between, f"hoop stress between sprags, {wall}"),
+        (race.far_hoop_load, f"hoop stress at the angle of a sprag, {far}"),
+        (race.far_hoop_between, f"hoop stress between sprags, {far}"),
     ):
         scale = {"largest hoop stress": self.stress_scale}
         yield identity(q, name=name, symbol="σ_θ", scale=scale, order=2, **shared)
-    yield identity(race.hoop_force, name="hoop force in the cut between loads", order=AWAY,
+    yield identity(race.hoop_force, name="hoop force in the cut between sprags", order=AWAY,
                    **shared)  # fmt: skip
     yield identity(race.strain_energy, name="strain energy of the race", order=EDGE, **shared)
     yield from _fields()
     for q, at, less, name in (
         (race.smeared, race.load, None,
-         "deflection by Eq. 6, compared with the displacement at a load"),
+         "deflection by Eq. 6, compared with the displacement under a sprag"),
         (race.smeared, race.load, race.dent,
-         "deflection by Eq. 6, compared with the displacement at a load after subtraction of the "
-         "local indentation δ_H (relative to a point one wall thickness deep)"),
+         "deflection by Eq. 6, compared with the displacement under a sprag after subtraction of "
+         "the local indentation δ_H (relative to a point one wall thickness deep)"),
         (race.smeared, race.load, race.dent_half,
-         "deflection by Eq. 6, compared with the displacement at a load after subtraction of the "
-         "local indentation δ_Hh (relative to a point half a wall thickness deep)"),
+         "deflection by Eq. 6, compared with the displacement under a sprag after subtraction of "
+         "the local indentation δ_Hh (relative to a point half a wall thickness deep)"),
         (race.smeared, race.between, None,
-         "deflection by Eq. 6, compared with the displacement between loads"),
+         "deflection by Eq. 6, compared with the displacement between sprags"),
         (race.with_dent, race.load, None,
          "deflection by Eq. 6 plus local indentation δ_H (relative to a point one wall thickness "
-         "deep), compared with the displacement at a load"),
+         "deep), compared with the displacement under a sprag"),
     ):  # fmt: skip
         yield _smeared(self, q, at, less, name)
-    check = Accepted(name="Eq. 6 overestimates the displacement at a load after subtraction of the "
-                     "local indentation δ_H",
+    check = Accepted(name="Eq. 6 overestimates the displacement under a sprag after subtraction of "
+                     "the local indentation δ_H",
                      symbol="m", unit="1", margin=too_soft, fitted=FITTED)  # fmt: skip
     yield Comparison(check=check, quantity=race.smeared, shares=RADII)
 
@@ -98,11 +99,11 @@ def _fields() -> Iterator[Deviation]:
     """Rows: Fourier ring against FE, at all nodes of bore and rim and at points inside the wall."""
     for name, symbol, size, whole in (
         (f"largest displacement error at the nodes of bore and rim is below {ACCEPTED:g} of the "
-         "displacement under a load", "e_u",
-         wall_errors, "radial displacement at a load"),
-        (f"largest stress error, at more than one patch width from a load, is below {ACCEPTED:g} "
+         "displacement under a sprag", "e_u",
+         wall_errors, "radial displacement under a sprag"),
+        (f"largest stress error, at more than one patch width from a sprag, is below {ACCEPTED:g} "
          "of the largest stress", "e_σ",
-         stress_errors, "largest stress beyond one patch width from a load"),
+         stress_errors, "largest stress at more than one patch width from a sprag"),
     ):  # fmt: skip
         yield Deviation(name=name, symbol=symbol, unit="1", size=finest(size), accepted=ACCEPTED,
                         source=BY_SUBJECT, whole=whole, shares=PATCHES)  # fmt: skip

@@ -24,11 +24,11 @@ def figures(self: SpragLoads) -> Iterator[AlongLine | Drawn]:
     yield Drawn(lambda context: (_ripple(self, context),))
     ring, pitch = self.race(), np.pi / self.n
     yield AlongLine(
-        title=f"Displacement of the {self.loaded} by finite elements and Fourier ring",
+        title=f"Displacement of the {self.loaded} by finite elements and Fourier series",
         x=("θ n/π", "1"), y=("δ", "µm"), points=np.linspace(0, 1, 200),
         curve=lambda x: self.outward * ring.at(ring.r, x * pitch).u_r, reference="displacement",
         at=wall_angles(self) / pitch, order=EDGE, scale=self.load,
-        scale_name="the displacement at a load",
+        scale_name="the displacement under a sprag",
     )  # fmt: skip
     yield Drawn(lambda context: (_stresses(self, context),) if context.converging else ())
 
@@ -59,7 +59,7 @@ def _ripple(q: SpragLoads, context: Context) -> Curves:
     )
     return Curves(
         title=f"Displacement of the {q.loaded} around the race", y_bottom=None,
-        x_label="θ n/π, from a load to half-way to the next load", y_label="δ over Eq. 6",
+        x_label="θ n/π, from a sprag to the middle between two sprags", y_label="δ over Eq. 6",
         curves=tuple(curves),
         note="The force of a sprag is the same for all curves. δ is divided by the deflection by "
         "Eq. 6 for the n of the curve. The peak at the left is the local indentation. Eq. 6 gives "
@@ -91,19 +91,19 @@ def _stresses(q: SpragLoads, context: Context) -> Curves:
         ]  # fmt: skip
     return Curves(
         title="Hoop stress at bore and rim", x_label="θ n/π", y_label="σ_θ [MPa]",
-        curves=tuple(curves), note=f"Lines: Fourier ring. The curve of the {q.loaded} begins at "
+        curves=tuple(curves), note=f"Lines: Fourier series. The curve of the {q.loaded} begins at "
         "the edge of the contact patch: in the patch, the hoop stress"
         " is compressive and about as large as the pressure.",
     )  # fmt: skip
 
 
 def pictures(self: SpragLoads) -> Iterator[Picture]:
-    """Pictures: radial displacement over a pitch, von Mises stress near a load."""
+    """Pictures: radial displacement over a pitch, von Mises stress near a sprag."""
     view = 12 * self.half_width
     window = (self.radius - view, -view, self.radius + view, view)
     yield Picture(field="half a pitch", data="radial_displacement", symbol="u_r", unit="µm",
                   factor=um, caption="Radial displacement over a pitch", mirror=("y",))  # fmt: skip
-    yield picture("half a pitch", "von_mises", "Von Mises stress near a load, element averages",
+    yield picture("half a pitch", "von_mises", "Von Mises stress near a sprag, element averages",
                   mirror="y", window=window)  # fmt: skip
 
 
@@ -127,9 +127,10 @@ def table(q: SpragLoads, pair: Sequence[SpragLoads]) -> Table:
         title="Errors of wind-up and peak force by Lamé's ring with Hertz's indentation",
         header=(*header, "wind-up, both races", "peak force, both races") if pair else header,
         rows=tuple(rows),
-        note=f"Errors against the Fourier ring, with {q.F:.4g} N on each sprag. The indentation is "
-        "taken relative to a point one wall thickness deep. The peak force is that of a shock with "
-        "the energy that Lamé's ring with Hertz's indentation stores under this force of the "
-        "sprags. A model that is too compliant overestimates the wind-up (conservative) and "
+        note=f"The reference is the Fourier series of the ring. The indentation is relative to a "
+        "point one wall thickness deep. For the wind-up, each sprag carries "
+        f"{q.F:.4g} N in both models. For the peak force of a shock, both models store the same "
+        "energy: that of Lamé's ring with Hertz's indentation under this force. A model that is "
+        "too compliant overestimates the wind-up (conservative) and "
         "underestimates the peak force (unsafe).",
     )

@@ -17,31 +17,36 @@ class SpragLoads(LoadsInputs):
     def smeared(self) -> float:
         return self.by_smearing()
 
-    @Quantity("δ(0)", "µm", "deflection of the loaded surface at a load", source="Fourier ring")
+    @Quantity("δ(0)", "µm", "deflection of the loaded surface under a sprag",
+              source="Fourier series of the ring")  # fmt: skip
     def load(self) -> float:
         return float(self.outward * self._points.u_r[0])
 
-    @Quantity("δ(π/n)", "µm", "deflection of the loaded surface between the loads",
-              source="Fourier ring")  # fmt: skip
+    @Quantity("δ(π/n)", "µm", "deflection of the loaded surface between sprags",
+              source="Fourier series of the ring")  # fmt: skip
     def between(self) -> float:
         return float(self.outward * self._points.u_r[1])
 
     @Quantity(
         "u_r(0)",
         "µm",
-        "deflection of the unloaded surface at the angle of a load",
-        source="Fourier ring",
+        "deflection of the unloaded surface at the angle of a sprag",
+        source="Fourier series of the ring",
     )
     def far_load(self) -> float:
         return float(self.outward * self._points.u_r[2])
 
-    @Quantity("u_r(π/n)", "µm", "deflection of the unloaded surface between the loads",
-              source="Fourier ring")  # fmt: skip
+    @Quantity("u_r(π/n)", "µm", "deflection of the unloaded surface between sprags",
+              source="Fourier series of the ring")  # fmt: skip
     def far_between(self) -> float:
         return float(self.outward * self._points.u_r[3])
 
     @Quantity(
-        "δ_m", "µm", "mean deflection of the loaded surface", source="Fourier ring", role="step"
+        "δ_m",
+        "µm",
+        "mean deflection of the loaded surface",
+        source="Fourier series of the ring",
+        role="step",
     )
     def mean(self) -> float:
         ring = self.race()
@@ -64,8 +69,8 @@ class SpragLoads(LoadsInputs):
         R_2 = -self.r_i if self.loaded == "bore" else self.r_o
         return float(hertz_line.relative_radius(R_1=self.R, R_2=R_2))
 
-    @Quantity("p_n", "MPa", "first harmonic of the pressure, m = n", source="Fourier ring",
-              role="step",
+    @Quantity("p_n", "MPa", "first harmonic of the pressure, m = n",
+              source="Fourier series of the ring", role="step",
               tex=r"\frac{n P}{\pi r} \frac{2 J_1(n a/r)}{n a/r}")  # fmt: skip
     def p_n(self) -> float:
         return self.n * self.P / (np.pi * self.radius) * float(
@@ -90,34 +95,36 @@ class SpragLoads(LoadsInputs):
     def with_dent(self) -> float:
         return self.smeared + self.dent
 
-    @Quantity("δ_tot/δ(0)", "1", "ratio of δ_tot to the deflection at a load", role="step")
+    @Quantity("δ_tot/δ(0)", "1", "ratio of δ_tot to the deflection under a sprag", role="step")
     def windup(self) -> float:
         return self.with_dent / self.load
 
-    @Quantity("Δδ/δ", "1", "peak-to-peak ripple of the deflection, divided by its mean")
+    @Quantity(
+        "Δδ/δ", "1", "peak-to-peak variation of the deflection, divided by the mean deflection"
+    )
     def ripple(self) -> float:
         return (self.load - self.between) / self.smeared
 
-    @Quantity("σ_θ(π/n)", "MPa", "hoop stress of the loaded surface between the loads",
-              source="Fourier ring", safe="too high")  # fmt: skip
+    @Quantity("σ_θ(π/n)", "MPa", "hoop stress of the loaded surface between sprags",
+              source="Fourier series of the ring", safe="too high")  # fmt: skip
     def hoop_between(self) -> float:
         return float(self._points.sigma_theta[1])
 
-    @Quantity("σ_far(0)", "MPa", "hoop stress of the unloaded surface at the angle of a load",
-              source="Fourier ring", safe="too high")  # fmt: skip
+    @Quantity("σ_far(0)", "MPa", "hoop stress of the unloaded surface at the angle of a sprag",
+              source="Fourier series of the ring", safe="too high")  # fmt: skip
     def far_hoop_load(self) -> float:
         return float(self._points.sigma_theta[2])
 
-    @Quantity("σ_far(π/n)", "MPa", "hoop stress of the unloaded surface between the loads",
-              source="Fourier ring", safe="too high")  # fmt: skip
+    @Quantity("σ_far(π/n)", "MPa", "hoop stress of the unloaded surface between sprags",
+              source="Fourier series of the ring", safe="too high")  # fmt: skip
     def far_hoop_between(self) -> float:
         return float(self._points.sigma_theta[3])
 
-    @Quantity("N_θ", "N/mm", "hoop force in the cut between the loads", source="statics")
+    @Quantity("N_θ", "N/mm", "hoop force in the cut between sprags", source="statics")
     def hoop_force(self) -> float:
         return race_work.cut_force(self.race())
 
-    @Quantity("U", "J/m", "strain energy of the race", source="Fourier ring")
+    @Quantity("U", "J/m", "strain energy of the race", source="Fourier series of the ring")
     def strain_energy(self) -> float:
         return race_work.strain_energy(self.race())
 
@@ -132,7 +139,7 @@ class SpragLoads(LoadsInputs):
 
     @shared
     def _points(self) -> State:
-        """State of the Fourier ring on both walls, at a load and between loads."""
+        """State of the Fourier ring on both walls, under a sprag and between sprags."""
         ring, pitch = self.race(), np.pi / self.n
         far_wall = self.r_o if self.loaded == "bore" else self.r_i
         return ring.at([ring.r, ring.r, far_wall, far_wall], [0.0, pitch, 0.0, pitch])

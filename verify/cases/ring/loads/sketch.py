@@ -23,7 +23,7 @@ def sketch(self: SpragLoads) -> Sketch:
     )
     low, high = self.names
     return sketches.sketch(
-        f"{self.n} sprags, each with {self.F:.4g} N over {self.shown('L')}, {pushed}",
+        f"{self.n} sprags, each with {self.F:.4g} N on a length of {self.shown('L')}, {pushed}",
         sketches.room(2.4, 2.2), sketches.ring(inner, 1.0), _sector(inner, pitch), loads,
         sketches.leader(polar(1.5, 141), polar(1.0, 141), f"{high} = {self.shown('r_o')}"),
         sketches.leader(polar(1.5, 159), polar(inner, 159), f"{low} = {self.shown('r_i')}"),

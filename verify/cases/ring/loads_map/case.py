@@ -17,11 +17,15 @@ from verify.form.adapter import adapted
 
 COUNTS = (3, 4, 6, 8, 10, 12, 16, 24, 32, 48)
 RATIOS = (1.05, 1.1, 1.2, 1.35, 1.5, 2.0, 2.5, 3.0)
-SHARP = 3e-3, "less than a tenth of the smallest distance between the limits of the map's shades"
+SHARP = (
+    3e-3,
+    "this sensitivity is less than a tenth of the smallest interval between two colour limits of "
+    "the map",
+)
 
 
 class Point(NamedTuple):
-    """A race of the map: number of loads n, and ratio of outer to inner radius r_o/r_i."""
+    """A race of the map: number of sprags n, and ratio of outer to inner radius r_o/r_i."""
 
     n: int
     ratio: float
@@ -39,21 +43,21 @@ CHECKED = tuple(
     Point(*at) for at in ((3, 1.05), (48, 1.05), (6, 1.35), (12, 1.35), (3, 3.0), (48, 3.0))
 )
 PLACES = {
-    "load": ("at a load, without indentation", "δ_6/(δ − δ_H) − 1, with δ_6 by Eq. 6, the "
-             "deflection δ of the Fourier ring at a load, and the indentation δ_H of a half-plane "
-             "(relative to a point one wall thickness deep)"),
-    "between": ("between loads", "δ_6/δ − 1, with δ_6 by Eq. 6 and the deflection δ of the Fourier "
-                "ring between loads"),
-    "total": ("with Hertz's indentation, at a load", "(δ_6 + δ_H)/δ − 1, with δ_6 by Eq. 6, the "
-              "deflection δ of the Fourier ring at a load, and the indentation δ_H of a "
-              "half-plane (relative to a point one wall thickness deep)"),
+    "load": ("under a sprag, without indentation", "δ_6/(δ − δ_H) − 1, with δ_6 by Eq. 6, the "
+             "deflection δ under a sprag by the Fourier series of the ring, and the indentation "
+             "δ_H of a half-plane (relative to a point one wall thickness deep)"),
+    "between": ("between sprags", "δ_6/δ − 1, with δ_6 by Eq. 6 and the deflection δ between "
+                "sprags by the Fourier series of the ring"),
+    "total": ("with Hertz's indentation, under a sprag", "(δ_6 + δ_H)/δ − 1, with δ_6 by Eq. 6, "
+              "the deflection δ under a sprag by the Fourier series of the ring, and the "
+              "indentation δ_H of a half-plane (relative to a point one wall thickness deep)"),
 }  # fmt: skip
 
 
 class LoadsMap(Case):
-    """The Fourier ring gives the error of Eq. 6 for any number of loads and any wall thickness.
+    """The Fourier series of a ring gives the error of Eq. 6 for any number of sprags and any wall.
 
-    Finite elements confirm the Fourier ring at six points of the map, including its corners. Bore
+    Finite elements confirm the series at six points of the map, including its corners. Bore
     radius, load per length and Young's modulus are 1.
     """
 
@@ -64,7 +68,7 @@ class LoadsMap(Case):
     levels: ClassVar = (2, 3, 5)
     scans: ClassVar = (Scan(vary=("a_r=0.004,0.008,0.016", "nu=0.2,0.3,0.4"), star=True),)
     readings: ClassVar = (
-        "thin rings (plane stress), as in Eq. 6; in the rows, the loads act on the bore, and δ_6 "
+        "thin rings (plane stress), as in Eq. 6; in the rows, the sprags load the bore, and δ_6 "
         "is the displacement by Eq. 6",
     )
     assumptions: ClassVar = (
@@ -94,26 +98,26 @@ class LoadsMap(Case):
         return self
 
     @Quantity("δ(0; {0.n}, {0.ratio:g})/δ_6", "1",
-              "displacement at a load, divided by δ_6, {0.words}",
-              source="Fourier ring over Eq. 6").over(CHECKED)  # fmt: skip
+              "displacement under a sprag, divided by δ_6, {0.words}",
+              source="Fourier series of the ring, divided by Eq. 6").over(CHECKED)  # fmt: skip
     def load(self, at: Point) -> float:
         return float(self._over_eq_6[at][0])
 
     @Quantity("δ(π/n; {0.n}, {0.ratio:g})/δ_6", "1",
-              "displacement between loads, divided by δ_6, {0.words}",
-              source="Fourier ring over Eq. 6").over(CHECKED)  # fmt: skip
+              "displacement between sprags, divided by δ_6, {0.words}",
+              source="Fourier series of the ring, divided by Eq. 6").over(CHECKED)  # fmt: skip
     def between(self, at: Point) -> float:
         return float(self._over_eq_6[at][1])
 
     @Quantity("m({0.n}, {0.ratio:g})", "1",
-              "error of δ_6 + δ_H relative to the displacement at a load, {0.words}",
+              "error of δ_6 + δ_H relative to the displacement under a sprag, {0.words}",
               role="step").over(CHECKED)  # fmt: skip
     def error(self, at: Point) -> float:
         return float(smeared_error(n=at.n, ratio=at.ratio, a_r=self.a_r, nu=self.nu).total)
 
     @shared
     def _over_eq_6(self) -> Mapping[Point, Array]:
-        """Ratios of the displacements at a load and between loads to that by Eq. 6, by point."""
+        """Ratios of the displacements under and between sprags to that by Eq. 6, by point."""
         found = {}
         for at in CHECKED:
             ring = LoadedRace(
@@ -150,7 +154,7 @@ class LoadsMap(Case):
     def comparisons(self) -> Iterator[Comparison]:
         """Rows: Fourier ring against finite elements at every checked point."""
         for at in CHECKED:
-            scale = {f"displacement at a load, divided by δ_6, {at.words}": self.load(at)}
+            scale = {f"displacement under a sprag, divided by δ_6, {at.words}": self.load(at)}
             for q, order in ((LoadsMap.load(at), EDGE), (LoadsMap.between(at), AWAY)):
                 yield identity(q, symbol="δ/δ_6", scale=scale, order=order, sensitivity=SHARP,
                                shares=PATCHES)  # fmt: skip
@@ -170,7 +174,7 @@ class LoadsMap(Case):
         checked = np.array([[(n, ratio) in CHECKED for n in COUNTS] for ratio in RATIOS])
         race = "outer race" if loaded == "bore" else "inner race"
         return Map(
-            title=f"Error of Eq. 6, {race}, {where}", x_label="number of loads",
+            title=f"Error of Eq. 6, {race}, {where}", x_label="number of sprags",
             y_label="r_o/r_i", columns=tuple(map(str, COUNTS)),
             rows=tuple(f"{ratio:g}" for ratio in RATIOS), error=error,
             checked=checked if loaded == "bore" else None,

@@ -304,7 +304,10 @@ class Small(Claim):
             f"δ_ce/δ_BE is {q.ratio:.2%} at {q.omega * 30 / np.pi:.6g} r/min, 1 % at "
             f"{q.n_1 * 30 / np.pi:.5g} r/min and 10 % at {q.n_10 * 30 / np.pi:.5g} r/min"
         )
-        verdict = judge.Verdict(Status.SHOWN, f"no speed and no density are printed: {words}")
+        verdict = judge.Verdict(
+            Status.SHOWN,
+            f"the paper prints neither speed nor density; with ρ of the inputs, {words}",
+        )
         return [self._row(context.case, Kind.FACT, verdict, analytic=q.ratio)]
 
 

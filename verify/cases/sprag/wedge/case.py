@@ -76,7 +76,7 @@ class WedgedSprag(WedgeSteps):
     assumptions: ClassVar = (
         "the sprag is a column of the width b with rounded ends; l, b and ν_0 are identified, E "
         "and ν are assumed, because the paper does not print them",
-        "the finite elements model one pitch; both races can expand freely; the undeformed "
+        "the finite-element model is one pitch; both races can expand freely; the undeformed "
         "contours overlap by the deflection; the friction coefficient is five times the required "
         "one",
         "five states are computed; splines over ln N interpolate between them, a power law "

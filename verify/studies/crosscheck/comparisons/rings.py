@@ -143,11 +143,11 @@ def sprags(loaded: Wall) -> Posed:
 def sprags_quantities(loaded: str, far: str) -> tuple[Quantity, ...]:
     u: Any = {"unit": "µm", "allowed": LINEAR, "why": MESH}
     return (
-        Quantity(name="load", row=f"{loaded} displacement at a load", symbol="δ(0)", **u),
-        Quantity(name="between", row=f"{loaded} displacement between loads", symbol="δ(π/n)", **u),
-        Quantity(name="far load", row=f"{far} displacement at the angle of a load",
+        Quantity(name="load", row=f"{loaded} displacement under a sprag", symbol="δ(0)", **u),
+        Quantity(name="between", row=f"{loaded} displacement between sprags", symbol="δ(π/n)", **u),
+        Quantity(name="far load", row=f"{far} displacement at the angle of a sprag",
                  symbol="u_r(0)", **u),
-        Quantity(name="far between", row=f"{far} displacement between loads", symbol="u_r(π/n)",
+        Quantity(name="far between", row=f"{far} displacement between sprags", symbol="u_r(π/n)",
                  **u),
         Quantity(name="mean", row=f"{loaded} displacement, mean", symbol="δ", **u),
         Quantity(name="U", row="strain energy of the race", symbol="U", unit="J/m",
