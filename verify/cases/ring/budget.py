@@ -17,7 +17,7 @@ WAVE = (
 
 
 def fem_smeared(q: LoadsInputs, level: int) -> FemResult:
-    """Deflection of the race if a uniform pressure replaces the single loads."""
+    """Deflection of the race if a uniform pressure replaces the forces of the sprags."""
     p = q.n * q.P / (2 * math.pi * q.radius)
     ring = quarter_fem(q, q.r_i, q.r_o, "plane stress", level, pressures={q.loaded: p})
     wall = ring.on_boundary(q.loaded)
@@ -79,8 +79,8 @@ LOADS = Statement(
         ),
     ),
     left=(
-        Left(("deflection *indentation*",), "the indentation of the half-plane is relative to an "
-             "assumed depth; no body corresponds to this model"),
+        Left(("deflection *indentation*",), "the indentation is that of a half-plane, relative to "
+             "a point at an assumed depth; no body corresponds to this model"),
     ),
     finer=20, headline="deflection by Eq. 6, compared with the displacement under a sprag",
 )  # fmt: skip

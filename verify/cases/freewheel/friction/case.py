@@ -77,8 +77,9 @@ class FreewheelFriction(Pulled):
         "only friction acts on the rollers along the axis, and the star is clamped in its bore",
         "the axial forces on a roller form a couple 2 r cos α F_a, which tilts the roller: F_n "
         "shifts by e along the roller, in opposite directions at star and ring. The criterion and "
-        "the finite elements do not include this shift. The printed values of e and of the "
-        "maximum line load follow from a line load that varies linearly; they are not judged",
+        "the finite elements do not include this shift. The values of e and of the maximum "
+        "line load on this page are computed for a line load that varies linearly; they are not "
+        "judged",
         "positions and normals of the contacts are fixed, because displacements are small compared "
         "with the radii. In computations of slip, the position of the roller is prescribed",
         "beyond the limit, the ring is driven along its axis, either under constant torque or held "

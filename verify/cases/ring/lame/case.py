@@ -56,8 +56,8 @@ class Ring(Case):
     )
     readings: ClassVar = (
         "positive pressures act towards the wall: p_i widens the bore, p_o compresses the rim",
-        "the race is computed as a thin ring (plane stress) and as a long ring (plane strain): "
-        "in-plane stresses are equal, displacements and energies differ",
+        "the race is computed as an axially short ring (plane stress) and as an axially long ring "
+        "(plane strain): in-plane stresses are equal, displacements and energies differ",
     )
     assumptions: ClassVar = (
         "linear elasticity, small strain",

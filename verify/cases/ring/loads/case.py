@@ -17,8 +17,8 @@ YIELDING = 1.67  # p_0 over R_p at which a line contact yields below its surface
 WIDE = 0.1  # a over the wall
 READINGS = (
     "n is the number of sprags, N the force of one sprag; R and r are radii",
-    "the race is a thin ring (plane stress), as in Eq. 6; the half-width of the contact is that of "
-    "a long roller (plane strain)",
+    "the race is an axially short ring (plane stress), as in Eq. 6; the half-width of the contact "
+    "is that of a long roller (plane strain)",
 )
 
 

@@ -1,4 +1,4 @@
-"""Comparisons of a race under n sprags: finite elements, Fourier ring, and Eq. 6."""
+"""Comparisons of a race under n sprags: finite elements, Fourier series, and Eq. 6."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
@@ -47,7 +47,7 @@ class Smeared(Approximation):
 
 
 def comparisons(self: SpragLoads) -> Iterator[Comparison | Check]:
-    """Rows: Fourier ring against finite elements; Eq. 6 against finite elements."""
+    """Rows: Fourier series against finite elements; Eq. 6 against finite elements."""
     race = type(self)
     wall, far = ("bore", "rim") if self.loaded == "bore" else ("rim", "bore")
     shared: dict[str, Any] = {"sensitivity": (ACCEPTED, BY_SUBJECT), "shares": PATCHES}
@@ -96,7 +96,7 @@ def comparisons(self: SpragLoads) -> Iterator[Comparison | Check]:
 
 
 def _fields() -> Iterator[Deviation]:
-    """Rows: Fourier ring against FE, at all nodes of bore and rim and at points inside the wall."""
+    """Rows: Fourier series against FE, at all nodes of bore and rim and inside the wall."""
     for name, symbol, size, whole in (
         (f"largest displacement error at the nodes of bore and rim is below {ACCEPTED:g} of the "
          "displacement under a sprag", "e_u",
@@ -132,7 +132,7 @@ def _smeared(
 def wall_errors(context: Context) -> list[float]:
     """Largest errors of u_r and u_theta on both walls, relative to u_r at the load.
 
-    Finite elements are compared with the Fourier ring. The list has one value per level.
+    Finite elements are compared with the Fourier series. The list has one value per level.
     """
     q = context.inputs
     ring, found = q.race(), []
@@ -149,7 +149,7 @@ def wall_errors(context: Context) -> list[float]:
 def stress_errors(context: Context) -> list[float]:
     """Largest errors of three stresses at `stations`, relative to the largest stress.
 
-    Finite elements are compared with the Fourier ring. The list has one value per level.
+    Finite elements are compared with the Fourier series. The list has one value per level.
     """
     exact = context.inputs.race().at(*stations(context.inputs))
     wanted = np.array([exact.sigma_r, exact.sigma_theta, exact.tau])

@@ -59,10 +59,10 @@ def _ripple(q: SpragLoads, context: Context) -> Curves:
     )
     return Curves(
         title=f"Displacement of the {q.loaded} around the race", y_bottom=None,
-        x_label="θ n/π, from a sprag to the middle between two sprags", y_label="δ over Eq. 6",
+        x_label="θ n/π, from a sprag to the middle between two sprags", y_label="δ divided by Eq. 6",
         curves=tuple(curves),
         note="The force of a sprag is the same for all curves. δ is divided by the deflection by "
-        "Eq. 6 for the n of the curve. The peak at the left is the local indentation. Eq. 6 gives "
+        "Eq. 6 at the n of the curve. The peak at the left is the local indentation. Eq. 6 gives "
         "the mean of each curve over θ exactly.",
     )  # fmt: skip
 
@@ -108,7 +108,7 @@ def pictures(self: SpragLoads) -> Iterator[Picture]:
 
 
 def ratios(races: Sequence[SpragLoads], n: int) -> tuple[float, float]:
-    """Ratios of wind-up and of peak force, both by Lamé and Hertz, to those of the Fourier ring."""
+    """Ratios of wind-up and of peak force, both by Lamé and Hertz, to those of Fourier rings."""
     return windup.ratios([
         windup.compliances(q.race(n=n), R=q.R, F=q.F, L=q.L) for q in races
     ])  # fmt: skip
@@ -124,7 +124,7 @@ def table(q: SpragLoads, pair: Sequence[SpragLoads]) -> Table:
         rows.append((str(n), *(f"{x - 1:+.1%}" for x in (*ratios((q,), n), *both))))
     header = ("n", "wind-up, this race", "peak force, this race")
     return Table(
-        title="Errors of wind-up and peak force by Lamé's ring with Hertz's indentation",
+        title="Lamé's ring with Hertz's indentation: errors of wind-up and peak force",
         header=(*header, "wind-up, both races", "peak force, both races") if pair else header,
         rows=tuple(rows),
         note=f"The reference is the Fourier series of the ring. The indentation is relative to a "

@@ -1,4 +1,4 @@
-"""Formulas of a race under n sprags: Hertz's contact, Fourier ring, Eq. 6, indentation."""
+"""Formulas of a race under n sprags: Hertz's contact, Fourier series, Eq. 6, indentation."""
 
 import numpy as np
 
@@ -139,7 +139,7 @@ class SpragLoads(LoadsInputs):
 
     @shared
     def _points(self) -> State:
-        """State of the Fourier ring on both walls, under a sprag and between sprags."""
+        """Fourier series of the ring on both walls, under a sprag and between sprags."""
         ring, pitch = self.race(), np.pi / self.n
         far_wall = self.r_o if self.loaded == "bore" else self.r_i
         return ring.at([ring.r, ring.r, far_wall, far_wall], [0.0, pitch, 0.0, pitch])

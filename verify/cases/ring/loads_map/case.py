@@ -68,8 +68,8 @@ class LoadsMap(Case):
     levels: ClassVar = (2, 3, 5)
     scans: ClassVar = (Scan(vary=("a_r=0.004,0.008,0.016", "nu=0.2,0.3,0.4"), star=True),)
     readings: ClassVar = (
-        "thin rings (plane stress), as in Eq. 6; in the rows, the sprags load the bore, and δ_6 "
-        "is the displacement by Eq. 6",
+        "the rings are axially short (plane stress), as in Eq. 6; in the rows, the sprags load the "
+        "bore, and δ_6 is the displacement by Eq. 6",
     )
     assumptions: ClassVar = (
         "linear elasticity, small strain, radial forces, no friction",
@@ -152,7 +152,7 @@ class LoadsMap(Case):
         return Level(h=1 / (CELLS * level), values=values, u_it=u_it)
 
     def comparisons(self) -> Iterator[Comparison]:
-        """Rows: Fourier ring against finite elements at every checked point."""
+        """Rows: Fourier series against finite elements at every checked point."""
         for at in CHECKED:
             scale = {f"displacement under a sprag, divided by δ_6, {at.words}": self.load(at)}
             for q, order in ((LoadsMap.load(at), EDGE), (LoadsMap.between(at), AWAY)):

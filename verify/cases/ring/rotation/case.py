@@ -58,8 +58,8 @@ class RotatingRace(Case):
     scans: ClassVar = (Scan(vary=("r_i=5mm,12mm,19.44mm,24mm", "nu=0.1,0.3,0.45"), star=True),)
     readings: ClassVar = (
         "n of Eq. 8 is a speed in r/min, so that πn/30 is the angular speed; ρ is the density",
-        "Eq. 8 gives the growth of the bore of a thin ring (plane stress); the growth of a long "
-        "ring (plane strain) differs",
+        "Eq. 8 gives the growth of the bore of an axially short ring (plane stress); the growth of "
+        "an axially long ring (plane strain) differs",
     )
     assumptions: ClassVar = (
         "linear elasticity, small strain",
@@ -253,7 +253,7 @@ class RotatingRace(Case):
         )  # fmt: skip
 
     def pictures(self) -> Iterator[Picture]:
-        """Picture of the hoop stress of the thin race."""
+        """Picture of the hoop stress of the race in plane stress."""
         yield picture("plane stress", "hoop_stress", "Hoop stress, plane stress, element averages",
                       mirror="xy")  # fmt: skip
 
