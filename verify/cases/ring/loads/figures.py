@@ -59,7 +59,8 @@ def _ripple(q: SpragLoads, context: Context) -> Curves:
     )
     return Curves(
         title=f"Displacement of the {q.loaded} around the race", y_bottom=None,
-        x_label="θ n/π, from a sprag to the middle between two sprags", y_label="δ divided by Eq. 6",
+        x_label="θ n/π, from a sprag to the middle between two sprags",
+        y_label="δ divided by Eq. 6",
         curves=tuple(curves),
         note="The force of a sprag is the same for all curves. δ is divided by the deflection by "
         "Eq. 6 at the n of the curve. The peak at the left is the local indentation. Eq. 6 gives "
