@@ -73,8 +73,8 @@ WEDGE = Left(
     "a quarter of the torque and thicker races change the results by more than the difference "
     "between formula and reference",
 )
-STIFF = Left(("torsional stiffness of rigid races*",), "the stiffness is T divided by the wind-up "
-             "of rigid races, whose difference is decomposed")  # fmt: skip
+STIFF = Left(("torsional stiffness of a clutch with rigid races*",), "the stiffness is T divided "
+             "by the wind-up, whose difference is decomposed")  # fmt: skip
 TURNED = Left(
     ("wind-up of the races by rolling*",),
     "neither a quarter of the torque nor thicker races explain the difference; no other cause was "
@@ -91,7 +91,7 @@ STATEMENTS: Mapping[str, Statement] = {
         ),
         without=(BOTH,), left=(WEDGE, TURNED, STIFF),
         corrected=(
-            Corrected("rotation of the sprags with half planes and Eq. 6 for long races, at N_0",
+            Corrected("rotation of the sprags with half planes and Eq. 6 for plane strain, at N_0",
                       "alpha_rigid",
                       "half planes and Eq. 6, against the deflections of elastic bodies"),
             Corrected("rotation of the sprags with Eqs. 9, 10 as printed and elastic deflections, "
@@ -102,8 +102,9 @@ STATEMENTS: Mapping[str, Statement] = {
                       "alpha_rigid", "Palmgren's law, against deflections of elastic bodies"),
             Corrected("rotation of the sprags with Palmgren's law and Eq. 6, without Eq. 7, at N_0",
                       "alpha_rigid", "Palmgren's law, against deflections of elastic bodies"),
-            Corrected("wind-up of rigid races by Palmgren's law (Huang 2022, Eqs. 2, 4), at N_0",
-                      "theta_rigid", "rigid races and Palmgren's law, against elastic bodies"),
+            Corrected("wind-up of a clutch with rigid races by Palmgren's law (Huang 2022, "
+                      "Eqs. 2, 4), at N_0", "theta_rigid",
+                      "rigid races and Palmgren's law, against elastic bodies"),
             Corrected("rotation of the sprags as in the paper, with Palmgren's law in Eqs. 9, 10 "
                       "as printed, at T", "alpha", "Palmgren's law and Eqs. 9, 10 as printed, "
                       "against corrected Eqs. 9, 10 with deflections of elastic bodies"),
@@ -111,8 +112,9 @@ STATEMENTS: Mapping[str, Statement] = {
                 Corrected(row.format(race), f"{key}_{race[0].replace('o', 'e')}_rigid", what)
                 for race in ("inner", "outer")
                 for row, key, what in (
-                    ("mean displacement of the {} race (Eq. 6 as printed, for thin races), at N_0",
-                     "mean", "Eq. 6 as printed, for thin races, against Eq. 6 for long races"),
+                    ("mean displacement of the {} race (Eq. 6 as printed, for plane stress), at "
+                     "N_0",
+                     "mean", "Eq. 6 as printed, for plane stress, against Eq. 6 for plane strain"),
                     ("displacement of the {} race under a sprag, taken as the mean displacement "
                      "by Eq. 6, at N_0", "race",
                      "mean displacement of the race, against that under a sprag"),

@@ -58,7 +58,7 @@ def drawn_states(clutch: Any) -> Iterator[Comparison]:
     yield by_drawn(c.theta, "wind-up of the races, by finite steps of rolling", "θ(T)")
     yield by_drawn(c.N_Liu, "normal force with rigid races (Liu)", "N_L", LAW)
     yield by_drawn(c.alpha_Liu, "rotation of the sprags with rigid races (Liu)", "α_L")
-    yield by_drawn(c.theta_Liu, "wind-up of rigid races (Liu), by finite steps of rolling", "θ_L")
+    yield by_drawn(c.theta_Liu, "wind-up with rigid races (Liu), by finite steps of rolling", "θ_L")
     yield by_drawn(c.alpha_printed, "rotation of the sprags, Eqs. 9 and 10 as printed", "α_9,10")
     mu = low_friction(clutch) if paper else math.nan
     weak = clutch.model_copy(update={"mu_s": mu}) if paper else None

@@ -132,7 +132,8 @@ def counted(context: Context) -> Curves:
         "Peak pressure of an engagement without a crown, 25 N m", "slices", "p_max [MPa]",
         line("inner race", n, p), dots("computed", n, p),
         dashes("printed, about 3500", n[[0, -1]], 3500.0, 2), y_bottom=0.95 * float(p.min()),
-        note="The peak grows without limit; the paper does not print its number of slices.",
+        note="The peak pressure grows without limit as the number of slices increases; the paper "
+        "does not print how many slices it uses.",
     )  # fmt: skip
 
 

@@ -73,7 +73,8 @@ class ClutchFormulas(EngagementInputs, Case):
         return math.nan if self.state is None else float(getattr(self.state, name))
 
     @Quantity("N", "N", "normal force on the inner race, without springs", safe="too high",
-              source="statics of Eqs. 14 and 16", tex=r"\frac{T}{n_s \mu_{req} OA}")  # fmt: skip
+              source="equilibrium at rest by Eqs. 14 and 16",
+              tex=r"\frac{T}{n_s \mu_{req} OA}")  # fmt: skip
     def N(self) -> float:
         return self._in_state("N")
 
@@ -112,7 +113,8 @@ class ClutchFormulas(EngagementInputs, Case):
         return self._in_state("omega")
 
     @Quantity("μ_req", "1", "required friction coefficient", safe="too high",
-              source="statics of Eqs. 14 and 16", tex=r"\tan\left(\nu(T)\right)")  # fmt: skip
+              source="equilibrium at rest by Eqs. 14 and 16",
+              tex=r"\tan\left(\nu(T)\right)")  # fmt: skip
     def mu_req(self) -> float:
         return float(np.tan(self.nu_T))
 
@@ -304,7 +306,7 @@ class ClutchFormulas(EngagementInputs, Case):
     def alpha_Liu(self) -> float:
         return math.nan if (now := model.rigid(self)) is None else float(now.alpha_b)
 
-    @Quantity("θ_L", "deg", "wind-up of rigid races with rolling contacts", source="Liu")
+    @Quantity("θ_L", "deg", "wind-up with rigid races and rolling contacts", source="Liu")
     def theta_Liu(self) -> float:
         if self.state is None:
             return math.nan

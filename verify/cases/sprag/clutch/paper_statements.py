@@ -150,7 +150,7 @@ def grows(context: Context) -> tuple[float, float, str]:
     words = (
         f"the peak pressure is {p[0] / 1e6:.0f} MPa with {n[0]:.0f} slices and "
         f"{p[-1] / 1e6:.0f} MPa with {n[-1]:.0f} slices; between the two largest numbers of "
-        f"slices, it grows with the power {slope:.2f} of this number"
+        f"slices, it is proportional to the number of slices to the power {slope:.2f}"
     )
     return min(b - a for a, b in pairwise(rise)), 0.0, words
 
@@ -213,8 +213,9 @@ OF_THE_PAPER: tuple[Check, ...] = (
           "other"),
     _peak(40, 0, "p_max at 40 N m without a crown, predicted from 25 N m",
           "this prediction uses the number of slices fitted at 25 N m and is not judged"),
-    Noted(name="printed pairs of pressures require different ratios of the forces at 40 and "
-          "25 N m", symbol="p_max", unit="MPa",
+    Noted(name="ratio of the forces at 40 and 25 N m differs between the printed pairs of "
+          "pressures",
+          symbol="p_max", unit="MPa",
           erratum="huang2018:sec-4-2-force-ratio", margin=ratios,
           printed=("huang2018:stress-25nm-optimised", "huang2018:stress-40nm-optimised")),
     Noted(name="peak pressure without a crown grows with the number of slices",

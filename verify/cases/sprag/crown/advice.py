@@ -1,4 +1,4 @@
-"""Statements on a crown: its design load, and its pressure at the first peak force."""
+"""Statements on a crown: its design load, and its pressure at the first force peak."""
 
 import math
 from collections.abc import Sequence
@@ -33,14 +33,14 @@ def findings(q: Any) -> Sequence[str]:
     first = {
         "no crown": "no crown: the largest pressure is at the ends and grows with the number of "
         "slices",
-        "suits": "suits: with this crown, the pressure at the first peak is nearly uniform",
-        "too shallow": "too shallow: with this crown, the largest pressure at the first peak is "
-        "at the ends",
-        "uneven": "uneven: with this crown, the largest pressure at the first peak is at "
+        "suits": "suits: with this crown, the pressure at the first force peak is nearly uniform",
+        "too shallow": "too shallow: with this crown, the largest pressure at the first force peak "
+        "is at the ends",
+        "uneven": "uneven: with this crown, the largest pressure at the first force peak is at "
         "mid-length",
     }[state]
     found = [
-        f"{first}. At the first peak, the largest pressure is {pascal(q.p_peak)} under "
+        f"{first}. At the first force peak, the largest pressure is {pascal(q.p_peak)} under "
         f"{newton(q.N_max)}, {over:.3g} times the pressure of a uniform load; the "
         f"largest pressure at rest is {pascal(q.p_rest)} under {newton(q.N)}"
     ]
@@ -48,7 +48,7 @@ def findings(q: Any) -> Sequence[str]:
         return found
     found.append(
         f"the crown gives a uniform load under K_1 Q = {newton(q.suits)}; with this Q, a uniform "
-        f"load at the first peak requires K_1 = {q.K_1_suits:.3g}"
+        f"load at the first force peak requires K_1 = {q.K_1_suits:.3g}"
     )
     found.append(
         f"the crown begins {q.straight / 2 * 1e3:.3g} mm from mid-length; its drop is "
@@ -68,8 +68,8 @@ def warnings(q: Any) -> Sequence[str]:
         )
     if q.p_end_peak > 0:
         found.append(
-            "the ends are loaded at the first peak: if the largest pressure is at the ends, it "
-            "grows with the number of slices"
+            "the ends are loaded at the first force peak: if the largest pressure is at the "
+            "ends, it grows with the number of slices"
         )
     return found
 

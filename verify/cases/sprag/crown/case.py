@@ -135,7 +135,7 @@ class SpragCrown(EngagementInputs, Case):
             return math.nan
         return float(swung.peak[1])
 
-    @Quantity("N_max/Q", "1", "K_1 for a uniform load at the first peak", source="Lundberg",
+    @Quantity("N_max/Q", "1", "K_1 for a uniform load at the first force peak", source="Lundberg",
               tex=r"\frac{N_{max}}{Q}")  # fmt: skip
     def K_1_suits(self) -> float:
         return self.N_max / crowned_for(self)
@@ -147,22 +147,23 @@ class SpragCrown(EngagementInputs, Case):
 
     @shared
     def _peak(self) -> SlicedContact | None:
-        """Inner contact under the first peak force; None if the sprags roll over."""
+        """Inner contact at the first force peak; None if the sprags roll over."""
         return formulas.pressed(self, self.N_max) if math.isfinite(self.N_max) else None
 
     @Quantity("p", "MPa", "largest pressure at rest, inner race, by slices", safe="too high")
     def p_rest(self) -> float:
         return _largest(self._rest)
 
-    @Quantity("p_max", "MPa", "largest pressure at the first peak, by slices", safe="too high")
+    @Quantity("p_max", "MPa", "largest pressure at the first force peak, by slices",
+              safe="too high")  # fmt: skip
     def p_peak(self) -> float:
         return _largest(self._peak)
 
-    @Quantity("p_mid", "MPa", "pressure at mid-length at the first peak", safe="too high")
+    @Quantity("p_mid", "MPa", "pressure at mid-length at the first force peak", safe="too high")
     def p_mid_peak(self) -> float:
         return mid(self._peak) if self._peak else math.nan
 
-    @Quantity("p_end", "MPa", "pressure of the end slices at the first peak", safe="too high")
+    @Quantity("p_end", "MPa", "pressure of the end slices at the first force peak", safe="too high")
     def p_end_peak(self) -> float:
         return float(self._peak.peak_pressure[0]) if self._peak else math.nan
 
@@ -173,7 +174,7 @@ class SpragCrown(EngagementInputs, Case):
     @Quantity(
         "R_max",
         "mm",
-        "relative radius of curvature of the inner contact at the first peak",
+        "relative radius of curvature of the inner contact at the first force peak",
         role="step",
     )
     def R_peak(self) -> float:
@@ -184,7 +185,7 @@ class SpragCrown(EngagementInputs, Case):
     def p_even_rest(self) -> float:
         return formulas.even(self, self.N) if math.isfinite(self.N) else math.nan
 
-    @Quantity("p_even", "MPa", "pressure of a uniform load at the first peak", source="Hertz",
+    @Quantity("p_even", "MPa", "pressure of a uniform load at the first force peak", source="Hertz",
               tex=r"\sqrt{\frac{N_{max} E}{2 (1 - \nu^2) \pi l R_{max}}}")  # fmt: skip
     def p_even_peak(self) -> float:
         return formulas.even(self, self.N_max) if math.isfinite(self.N_max) else math.nan
@@ -195,7 +196,7 @@ class SpragCrown(EngagementInputs, Case):
 
     @property
     def unequal(self) -> float:
-        """Ratio of outer to inner normal force at the first peak, minus 1."""
+        """Ratio of outer to inner normal force at the first force peak, minus 1."""
         states = wedge(self).states
         return float(np.interp(self.N_max, states.N[1:], states.N_e[1:] / states.N[1:])) - 1
 

@@ -141,13 +141,14 @@ def stated(crown: Any) -> Iterator[Comparison | Check]:
     c = type(crown)
     drawn: dict[str, Any] = {"order": 1, "by": DRAWN}
     yield identity(c.mean, name="mean drop of the crown", symbol="z̄", **drawn)
-    yield identity(c.share, name="relative sensitivity of the mean drop to z_m", **drawn)
+    yield identity(c.share, name="ratio of the relative change of the mean drop to that of z_m",
+                   **drawn)  # fmt: skip
     estimate: dict[str, Any] = {
         "unit": "MPa", "interval": near, "source": f"{PLACE}; {UNEQUAL}", "demand": WIDER,
         "demand_reason": "about twice the sum of the accepted errors of slices (2 %) and of strips "
         "(0.3 %)",
     }  # fmt: skip
-    check = Estimated(name="pressure at mid-length at the first peak",
+    check = Estimated(name="pressure at mid-length at the first force peak",
                       symbol="p_mid", analytic="p_mid_peak", fem="p_mid_peak", by=BOTH,
                       **estimate)  # fmt: skip
     yield Comparison(check=check, quantity=c.p_mid_peak, shares=HERTZ)
@@ -155,7 +156,7 @@ def stated(crown: Any) -> Iterator[Comparison | Check]:
         state = State(None, f"deep_{k}", f"of crown {label(other)}")
         key = key_of(c.p_peak, state)
         largest = OfPaperEstimated(
-            name=f"largest pressure of crown {label(other)} at the first peak",
+            name=f"largest pressure of crown {label(other)} at the first force peak",
             symbol="p_max", analytic=key, fem=key, by=BY_STRIPS, **estimate,
         )  # fmt: skip
         numbers = {key: crown.peak_of(other)} if crown.is_default else {}
@@ -181,14 +182,14 @@ OF_FIGURES: tuple[Check, ...] = (
                      "huang2018:fig12-best-zm", "huang2018:fig12-worst-k1",
                      "huang2018:fig12-worst-k2", "huang2018:fig12-worst-zm")),
     Noted(name="Fig. 12: largest pressure of its optimal crown exceeds that of its worst crown at "
-          "the first peak under 25 N m", symbol="p_max",
+          "the first force peak of the engagement with 25 N m", symbol="p_max",
           unit="1", erratum="huang2018:fig-12-load", margin=in_other_order),
-    OfPaper(name="Fig. 13: pressure at the ends is higher than at mid-length at the first peak, "
-            "lower at the trough",
+    OfPaper(name="Fig. 13: pressure at the ends is higher than at mid-length at the first force "
+            "peak, and lower at the next force minimum",
             symbol="p", unit="1", margin=first_and_trough, fitted=FITTED,
             printed=("huang2018:fig13a-k2", "huang2018:fig13a-zm")),
-    OfPaper(name="Fig. 13: load along the sprag at the first peak is more uniform with K_1 = 3 "
-            "than with K_1 = 1", symbol="q", unit="1", margin=more_even, fitted=FITTED,
+    OfPaper(name="Fig. 13: load along the sprag at the first force peak is more uniform with "
+            "K_1 = 3 than with K_1 = 1", symbol="q", unit="1", margin=more_even, fitted=FITTED,
             printed=("huang2018:fig13b-k2", "huang2018:fig13b-zm")),
     *(
         OfPaper(name=f"Fig. 14: of its two crowns, {words} has the lower pressure at {T} N m",

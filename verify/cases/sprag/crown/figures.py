@@ -82,9 +82,9 @@ def shares(q: EngagementInputs) -> Curves:
 
 
 def along(context: Context) -> Curves:
-    """Figure of the pressure p(y) at rest and at the first peak."""
+    """Figure of the pressure p(y) at rest and at the first force peak."""
     q = context.inputs
-    both = (q.N, q.p_even_rest, "at rest"), (q.N_max, q.p_even_peak, "at the first peak")
+    both = (q.N, q.p_even_rest, "at rest"), (q.N_max, q.p_even_peak, "at the first force peak")
     states = [state for state in both if math.isfinite(state[0])]
     y = places(q, q.slices) / mm
     curves = [
@@ -93,7 +93,7 @@ def along(context: Context) -> Curves:
     ]  # fmt: skip
     if context.fem:
         p = context.fem[-1].arrays["strips"]
-        curves.append(dashes("at the first peak, strips", places(q, p.size) / mm, p / MPa, 2))
+        curves.append(dashes("at the first force peak, strips", places(q, p.size) / mm, p / MPa, 2))
     curves += [
         dashes(f"uniform load, {words}", y[[0, -1]], p / MPa, 2 * k + 1)
         for k, (_, p, words) in enumerate(states)
@@ -119,7 +119,7 @@ def by_force(context: Context) -> Curves:
     ]  # fmt: skip
     highest = max(float(np.max(curve.y)) for curve in curves)
     marks = (("vertical: static load, 25 N m", q.N),
-             ("vertical: first peak, 25 N m", q.N_max))  # fmt: skip
+             ("vertical: first force peak, 25 N m", q.N_max))  # fmt: skip
     curves += [dashes(name, at / kN, [1.0, highest], 4 + k) for k, (name, at) in enumerate(marks)]
     return plot(
         "Best and worst crown of Fig. 12 over the force", "N [kN]",

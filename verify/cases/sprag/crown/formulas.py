@@ -13,7 +13,7 @@ from verify.cases.sprag.peaks import Crown, with_crown
 from verify.core.figures import Array
 
 LOW, HIGH = (1.0, 0.4, 5e-6), (5.0, 0.7, 25e-6)  # Eq. 19
-DEEP: tuple[Crown, ...] = (  # printed crowns whose ends are free under the first peak at 25 N m
+DEEP: tuple[Crown, ...] = (  # printed crowns with free ends at the first force peak, 25 N m
     (5, 0.7, 15e-6), (5, 0.5, 15e-6), (3, 0.4, 10e-6), (2.80, 0.7, 11.8e-6),
 )  # fmt: skip
 

@@ -41,10 +41,10 @@ def window(found: Mapping[str, Array], by: str) -> str:
 
 
 def first_peaks(found: Mapping[str, Array]) -> str:
-    """Text on the torques at whose first peaks the crowns, by slices, have the order of Fig. 12."""
+    """Text: torques at whose first force peaks the crowns have the order of Fig. 12, by slices."""
     N, peaks = found["swept"][ordered(found, "slices")], found["named N"][number(FIG_12[0])]
     T = np.interp(N, [0.0, *peaks], [0.0, *found["torques"]])
-    return f"under {T.min():.0f} to {T.max():.0f} N m" if T.size else "under no torque"
+    return f"with {T.min():.0f} to {T.max():.0f} N m" if T.size else "with no torque"
 
 
 def highest_and_lowest(context: Context) -> tuple[float, float, str]:
@@ -68,7 +68,7 @@ def highest_and_lowest(context: Context) -> tuple[float, float, str]:
         f"crowns by at least {margins[0]:.1%} by slices and {margins[1]:.1%} by strips; these "
         "values apply "
         f"under {N:.0f} N, the static load at 25 N m; this order holds {forces}; by slices, it "
-        f"also holds for first peaks {first_peaks(found)}"
+        f"also holds for the first force peaks of engagements {first_peaks(found)}"
     )
     return float(min(margins)), 0.0, words
 
@@ -76,8 +76,8 @@ def highest_and_lowest(context: Context) -> tuple[float, float, str]:
 def in_other_order(context: Context) -> tuple[float, float, str]:
     """Ratio of p_max of the optimal crown of Fig. 12 to p_max of its worst crown, minus 1.
 
-    Both are pressures at the first peak at 25 N m. The uncertainty and the text of the row are also
-    returned.
+    Both are pressures at the first force peak at 25 N m. The uncertainty and the text of the row
+    are also returned.
     """
     found = arrays(context)
     best, worst = (float(found["named p"][number(c), AT[25]]) for c in FIG_12)
@@ -92,14 +92,14 @@ def in_other_order(context: Context) -> tuple[float, float, str]:
 def first_and_trough(context: Context) -> tuple[float, float, str]:
     """Smaller margin of two statements on the pressure at the ends with K_1 = 1.
 
-    At the peak, the pressure is higher at the ends than at mid-length; at the trough it is lower.
-    The uncertainty and the text of the row are also returned.
+    At the first force peak, the pressure is higher at the ends than at mid-length; at the
+    next force minimum, it is lower. The uncertainty and the text of the row are also returned.
     """
     peak, trough = (p[[0, p.size // 2]] / MPa for p in arrays(context)["Fig. 13"][0])
     words = (
-        f"at the first peak, the pressure is {peak[0]:.0f} MPa at the ends and {peak[1]:.0f} MPa "
-        f"at mid-length; at the trough, it is {trough[0]:.0f} MPa at the ends and "
-        f"{trough[1]:.0f} MPa at mid-length"
+        f"at the first force peak, the pressure is {peak[0]:.0f} MPa at the ends and "
+        f"{peak[1]:.0f} MPa at mid-length; at the next force minimum, it is {trough[0]:.0f} MPa "
+        f"at the ends and {trough[1]:.0f} MPa at mid-length"
     )
     return float(min(peak[0] / peak[1], trough[1] / trough[0])) - 1, STEP, words
 

@@ -57,7 +57,7 @@ def swept(q: EngagementInputs) -> dict[str, Array]:
 
 
 def moments_fem(q: EngagementInputs) -> dict[str, Array]:
-    """Pressures [Pa] of the crowns of Fig. 13 at the first peak and at the trough after it."""
+    """Pressures [Pa] of the crowns of Fig. 13 at the first force peak and the next minimum."""
     found = []
     for crown in FIG_13:
         run = run_fem(with_crown(q, crown))
@@ -69,7 +69,7 @@ def moments_fem(q: EngagementInputs) -> dict[str, Array]:
 def counted(q: EngagementInputs, named: Peaks) -> dict[str, Array]:
     """Largest pressures [Pa], (3 crowns, counts), for growing numbers of slices and of strips.
 
-    They apply at the first peak under 25 N m; without a crown, also under 40 N m by slices.
+    They apply at the first force peak under 25 N m; without a crown, also under 40 N m by slices.
     """
     at_25, at_40 = float(named.N_max[0, 1]), float(named.N_max[0, 3])
     R_25 = radius(q, at_25)

@@ -52,7 +52,7 @@ def by_number(context: Context) -> Curves:
     return plot(
         "p_max over the number of slices", "slices or strips", "p_max [MPa]", curves,
         y_bottom=2500.0,
-        note=f"The force is {N:.0f} N, the first peak at 25 N m. At loaded ends, p_max grows "
+        note=f"The force is {N:.0f} N, the first force peak at 25 N m. At loaded ends, p_max grows "
         "without limit: without a crown in both models, with the crown of Eq. 21 only in the strip "
         "model, whose half-space continues beyond the end of the sprag. Horizontal lines: printed "
         "values.",

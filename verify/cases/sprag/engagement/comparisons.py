@@ -249,16 +249,16 @@ def _energies(q: EngagementFormulas) -> Iterator[Comparison]:
         shares=CLOSURE,
     )  # fmt: skip
     name = (
-        "first peak of the force without damping, with N_e/N_i by statics, agrees with the work "
-        f"balance within {HALVING:.2%}"
+        "if N_e/N_i is that of statics, the first peak of the force without damping agrees with "
+        f"the work balance within {HALVING:.2%}"
     )
     strut = Agreement(name=name, symbol="N_1", unit="N", pair=balanced, accepted=HALVING,
                       source=suites("same tolerance as for a run with half the time step"),
                       by=BY)  # fmt: skip
     yield Comparison(check=strut, quantity=Of.N_undamped, shares=CLOSURE)
     work = AtPeak(
-        name="work up to the first peak, T θ = n_s ∫(N dH_i + N_e dH_e)", symbol="W_1", unit="J",
-        fem="W_1 strut", analytic="stored", formal=2, by=BY,
+        name="work up to the first force peak, T θ = n_s ∫(N dH_i + N_e dH_e)", symbol="W_1",
+        unit="J", fem="W_1 strut", analytic="stored", formal=2, by=BY,
         interval=lambda *_: bounds(q).radially(),
         demand=1e-3, demand_reason="closures that violate the work balance have far larger errors",
         source="radial motion of the centroid, neglected by Eq. 14; cubic interpolation of the "
@@ -269,7 +269,7 @@ def _energies(q: EngagementFormulas) -> Iterator[Comparison]:
         name=f"work ∫T dθ with rolling contacts and n_s ∫(N dH_i + N_e dH_e) agree within "
         f"{ROLLED:.2%}",
         symbol="W", unit="1", pair=conjugate, accepted=ROLLED,
-        source=suites("limit of the error of cubic interpolation between the states"),
+        source=suites("limit of the error of cubic interpolation between the tabulated states"),
         by="work on the deflections", fem_needed=False,
     )  # fmt: skip
     yield Comparison(check=turning, quantity=Of.W_1, shares=CLOSURE)

@@ -138,7 +138,8 @@ def energies(context: Context) -> Figure:
     every = max(len(t) // FEW, 1)
     curves.append(dots("work of torque and springs", t[::every], put_in[::every], 5))
     return plot("Energies, stacked", "t [ms]", "E [J]", curves,
-                note="The marks lie on the uppermost line: the energies balance.")  # fmt: skip
+                note="The dots (work of torque and springs) lie on the uppermost line: the "
+                "energies balance.")  # fmt: skip
 
 
 def turns(context: Context) -> Figure:

@@ -59,7 +59,7 @@ def radii(q: EngagementInputs) -> tuple[tuple[str, Array], ...]:
 
 
 def moments(N: Array, name: str, q: EngagementInputs) -> Figure:
-    """Figure of the pressure along the sprag at the start, first peak and first trough of N(t)."""
+    """Figure of the pressure along the sprag at the start, first peak and next minimum of N(t)."""
     top = int(np.argmax(N[: len(N) // 2]))
     trough = top + int(np.argmin(N[top : top + max(len(N) // 4, 2)]))
     loads = np.array([0.02 * N[top], N[top], max(N[trough], 1e-3 * N[top])])
@@ -67,7 +67,7 @@ def moments(N: Array, name: str, q: EngagementInputs) -> Figure:
     for (race, R), style in zip(radii(q), ("line", "dashes"), strict=True):
         p = in_slices(q, gap(q), float(R), loads).peak_pressure
         for colour, (words, one) in enumerate(
-            zip(("2 % of the peak force", "first peak", "first trough"), p, strict=True)
+            zip(("2 % of the peak force", "first force peak", "next force minimum"), p, strict=True)
         ):
             curves.append(curve(f"{words}, {race}", centres(q) / mm, one / MPa, style, colour))
     return plot(

@@ -21,10 +21,10 @@ SURE = 1.1  # over the required friction
 class SpragFriction(FrictionFormulas):
     """Sprags lock if the friction coefficient exceeds tan ν of the wedge; otherwise they slip.
 
-    This limit is verified by the Runge-Kutta steps of the paper, in closed form and by LSODA with
-    events. A contact sticks if its sliding speed is within a narrow band. Time steps that are too
-    long skip this band and give wrong forces without any sign of it; a check of the time step
-    rejects them.
+    This limit is verified by the Runge-Kutta steps of the paper, in closed form and by the
+    integrator LSODA, which stops at every change between stick and slip. A contact sticks if its
+    sliding speed is within a narrow band. Time steps that are too long skip this band and give
+    wrong forces without any sign of it; a check of the time step rejects them.
     """
 
     id = "sprag-friction"

@@ -73,7 +73,7 @@ def refused(context: Context) -> tuple[float, float, str]:
     return (
         2 * refuses - 1,
         0.0,
-        "the guard rejects the band" if refuses else "the guard does not reject the band",
+        "the check rejects the band" if refuses else "the check does not reject the band",
     )
 
 
@@ -103,7 +103,7 @@ def never_wrong(context: Context) -> tuple[float, float, str]:
     return (
         worst,
         0.0,
-        f"the guard accepts {len(passed)} pairs of band and time step; the largest error of N_max "
+        f"the check accepts {len(passed)} pairs of band and time step; the largest error of N_max "
         f"is {worst:.1e}",
     )
 
@@ -118,11 +118,11 @@ def never_idle(context: Context) -> tuple[float, float, str]:
     stopped = all_of_them[all_of_them[:, 3] == 1]
     least = float(np.abs(stopped[:, 4]).min()) if len(stopped) else np.inf
     words = (
-        f"the guard rejects {len(stopped)} of {len(all_of_them)} pairs of band and time step; "
+        f"the check rejects {len(stopped)} of {len(all_of_them)} pairs of band and time step; "
         f"the error of N_max of each rejected pair, median over nearly equal torques, is at least "
         f"{least:.0%}"
     )
-    return min(least, 1.0) - GUARDED, 0.0, words if len(stopped) else "the guard rejects no pair"
+    return min(least, 1.0) - GUARDED, 0.0, words if len(stopped) else "the check rejects no pair"
 
 
 def by_default(context: Context) -> Pair:
@@ -131,8 +131,8 @@ def by_default(context: Context) -> Pair:
     found = farthest(theirs, ours, 0.0)
     off = abs(found.value / found.reference - 1)
     words = (
-        f"the guard rejects none of {len(ours)} engagements; the largest difference of N_max is "
-        f"{off:.1e}"
+        f"the check of the time step rejects none of {len(ours)} computed engagements; the largest "
+        f"difference of N_max is {off:.1e}"
     )
     return replace(found, words=words)
 
@@ -185,11 +185,11 @@ def _partners() -> Iterator[Check]:
                 fem="sticks", analytic="LSODA sticks", own_demand=0.02,
                 own_reason="slip ends within a band of speeds by Runge-Kutta steps, at an event "
                 "by LSODA", **time)  # fmt: skip
-    yield Partnered(name="time at which slip begins if μ is sufficient at rest, not at the peak: "
-                    "Runge-Kutta steps and LSODA",
+    yield Partnered(name="time at which slip begins if μ is sufficient at rest but not at the "
+                    "force peak: Runge-Kutta steps and LSODA",
                     fem="slips", analytic="LSODA slips", **time)  # fmt: skip
-    yield Partnered(name="largest force if μ is sufficient at rest, not at the peak: Runge-Kutta "
-                    "steps and LSODA",
+    yield Partnered(name="largest force if μ is sufficient at rest but not at the force peak: "
+                    "Runge-Kutta steps and LSODA",
                     fem="N_max slipped", analytic="LSODA N_max slipped",
                     demand_reason="accepted error of this quantity", **force)  # fmt: skip
 
@@ -199,14 +199,14 @@ def _guard() -> Iterator[Check]:
                     f"{GUARDED:.1%}",
                     symbol="N_max", unit="N", pair=by_default, accepted=GUARDED, source=SUBJECT,
                     by=BY)  # fmt: skip
-    yield Accepted(name=f"the guard of the time step rejects the speed band D_V = {NARROW:g} m/s "
+    yield Accepted(name=f"the check of the time step rejects the speed band D_V = {NARROW:g} m/s "
                    "under 1.6 T with weak springs",
                    symbol="D_V", unit="1", margin=refused)  # fmt: skip
-    yield Accepted(name="largest force without the guard of the time step is ill-conditioned",
+    yield Accepted(name="largest force without the check of the time step is ill-conditioned",
                    symbol="N_max", unit="1", margin=unguarded)  # fmt: skip
-    yield Deviation(name=f"N_max at time steps that the guard accepts is correct to {GUARDED:.1%}",
+    yield Deviation(name=f"N_max is correct to {GUARDED:.1%} if the check accepts the time step",
                     symbol="ΔN_max/N_max", unit="1", size=never_wrong, accepted=GUARDED,
                     source=suites("same tolerance as between Runge-Kutta steps and LSODA"),
                     whole="correct force", by=BY)  # fmt: skip
-    yield Accepted(name="N_max at time steps that the guard rejects is wrong", symbol="N_max",
+    yield Accepted(name="N_max is wrong if the check rejects the time step", symbol="N_max",
                    unit="1", margin=never_idle)  # fmt: skip

@@ -123,11 +123,12 @@ def wrong(context: Context) -> Figure:
     """Figure of N(t) with the automatic speed band, and with a band that is too narrow."""
     last = context.fem[-1].arrays
     return plot(
-        "Force with a band too narrow for the time step, without guard", "t [ms]", "N [kN]",
+        "Force with a band too narrow for the time step, without check", "t [ms]", "N [kN]",
         line("automatic band, equal to LSODA", last["t"] / ms, last["right N"] / kN),
-        line(f"D_V = {NARROW:g} m/s, guard off", last["wrong t"] / ms, last["wrong N"] / kN, 1),
-        note="The torque is 1.6 T, the springs are weak. Nothing in the curve without guard "
-        "indicates the error. With other round-off errors, the curve may be quite different.",
+        line(f"D_V = {NARROW:g} m/s, without check", last["wrong t"] / ms, last["wrong N"] / kN, 1),
+        note="The torque is 1.6 T, the springs are weak. Nothing in the curve without check of the "
+        "time step indicates the error. With other round-off errors, the curve may be quite "
+        "different.",
     )  # fmt: skip
 
 
@@ -152,13 +153,13 @@ def guarded(context: Context, factor: float) -> Figure:
     guard, q = context.fem[-1].arrays["guard"], context.inputs
     chosen = guard[guard[:, 0] == factor].reshape(len(STEPS), len(BANDS), -1)
     return Map(
-        title="Error of N_max without the guard of the time step, "
+        title="Error of N_max without the check of the time step, "
         f"{factor * q.T:.3g} N m, weak springs",
         x_label="D_V [m/s]", y_label="time step [µs]",
         columns=tuple(f"{D_V:g}" for D_V in BANDS),
         rows=tuple(f"{step * q.dt * 1e6:g}" for step in STEPS),
         error=chosen[:, :, 4], limits=(0.01, 0.1, 0.5), checked=chosen[:, :, 3] == 1,
-        checked_name="rejected by the guard",
+        checked_name="rejected by the check",
         note="Errors in per cent, relative to a run with one fifth of the time step and an "
-        "automatic band. The guard rejects time steps that are too long for the band.",
+        "automatic band. The check rejects time steps that are too long for the band.",
     )  # fmt: skip

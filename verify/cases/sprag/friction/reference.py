@@ -41,7 +41,7 @@ NEARLY = 1e-9  # relative difference of 16 nearby torques
 ROUGH = 1e-6  # tolerance of LSODA; 1e-3 is required
 SWEEP = ((0.4, 1.0), (MORE, 1.0), (MORE, 2.0))  # torque over T, friction over mu_s
 BANDS = (1.0, 0.1, 0.01, 1e-3, 1e-4)  # m/s
-STEPS = (2.0, 1.0, 0.5, 0.2)  # over the time step, in the sweep of the guard
+STEPS = (2.0, 1.0, 0.5, 0.2)  # over the time step, in the sweep of the check of the time step
 
 
 def solve(q: EngagementInputs, level: int) -> FemResult:

@@ -11,10 +11,10 @@ from verify.form.adapter import adapted
 class SpragOptimum(Optimum25Inputs, CrownAtHand):  # type: ignore[misc]
     """The crown (K_1, K_2, z_m) with the lowest peak pressure of an engagement.
 
-    It is found by 125 engagements, kriging, a genetic algorithm and differential evolution, and
-    checked by engagements at the optimum. It is compared with the result of a search without a
-    surrogate, and with contacts on a half-space. On a half-space, the crown that is optimal by
-    slices has loaded ends.
+    It is found by 125 computed engagements, kriging, a genetic algorithm and differential
+    evolution, and checked by computed engagements at the optimum. It is compared with the result of
+    a search without a surrogate, and with contacts on a half-space. On a half-space, the crown that
+    is optimal by slices has loaded ends.
 
     The paper calls the sprag without a crown the unmodified profile, and the crown of Eq. 21 the
     optimized profile. Here the crown of Eq. 21 is called the printed crown (for other inputs: the

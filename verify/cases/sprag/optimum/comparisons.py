@@ -18,7 +18,7 @@ from verify.core.figures import Array
 NEAR = 0.01  # pressures are equal if they exceed that of the optimal crown by less (relative)
 ON_BOUND = 1e-3  # distance relative to the range within which a parameter is at its bound
 FLAT = 0.005  # relative excess of the pressure that bounds the nearly optimal crowns
-SURE = 1e-3  # relative accuracy of pressures by engagements
+SURE = 1e-3  # relative accuracy of pressures by computed engagements
 
 
 def best(context: Context) -> float:
@@ -110,7 +110,7 @@ def turns(lines: Array) -> Array:
 
 
 def factorial(context: Context) -> Array:
-    """Pressures [Pa] by engagements over K_1 and K_2, at z_m nearest to 10 µm (Figs. 15, 17)."""
+    """Pressures [Pa] of computed engagements over K_1, K_2, z_m nearest to 10 µm (Figs. 15, 17)."""
     found, n = measured(context), context.inputs.levels
     largest = np.maximum(found["end"][:, 0], found["inside"][:, 0]).reshape(n, n, n)
     return np.asarray(largest[:, :, int(np.argmin(np.abs(found["X"][:n, 2] - 10e-6)))])
@@ -127,8 +127,8 @@ def over_K_1(context: Context) -> tuple[float, float, str]:
     words = (
         f"on {len(found)} lines of constant K_2 and z_m, p_max at both ends of the line exceeds "
         f"the minimum of the line by at least {found.min():.2%}; the line at z_m = "
-        f"{context.inputs.z_m_low * 1e6:g} µm in the map of K_1 and z_m is not judged: there, "
-        f"p_max {course(shallow)}"
+        f"{context.inputs.z_m_low * 1e6:g} µm in the map of K_1 and z_m is not judged: on this "
+        f"line, p_max {course(shallow)}"
     )
     return float(found.min()), SURE, words
 
@@ -298,8 +298,8 @@ def checks(T: int) -> tuple[Any, ...]:
         OfPaper(name="with increasing K_1, p_max falls, then rises", symbol="Pre_max", unit="1",
                 margin=over_K_1, fitted=FITTED,
                 printed=(f"huang2018:fig{15 if T == 25 else 17}a-zm",)),
-        Displayed(name="p_max over z_m", symbol="Pre_max", unit="1", words=over_z_m,
-             printed=(f"huang2018:fig{15 if T == 25 else 17}b-k2",)),
+        Displayed(name="change of p_max with increasing z_m", symbol="Pre_max", unit="1",
+                  words=over_z_m, printed=(f"huang2018:fig{15 if T == 25 else 17}b-k2",)),
     )  # fmt: skip
     return (*found, *(AT_25 if T == 25 else AT_40))
 
@@ -313,8 +313,8 @@ def stated(q: Any) -> Iterator[Comparison | Check]:
 
 
 AT_25 = (
-    Displayed(name="p_max over K_2", symbol="Pre_max", unit="1", words=over_K_2,
-         printed=("huang2018:fig15a-zm",)),
+    Displayed(name="change of p_max with increasing K_2", symbol="Pre_max", unit="1",
+              words=over_K_2, printed=("huang2018:fig15a-zm",)),
 )  # fmt: skip
 AT_40 = (
     OfPaper(name="the optimal K_1 is larger than at 25 N m", symbol="K_1", unit="1",

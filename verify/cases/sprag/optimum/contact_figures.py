@@ -60,7 +60,7 @@ def contact(context: Context) -> Sequence[Figure]:
 def cut(top: float, *highest: float) -> str:
     """Remark that pressures exceed the end `top` [MPa] of the axis; empty if none exceeds it."""
     above = max(highest)
-    return f" Pressures up to {above:.0f} MPa are beyond the axis." if above > top else ""
+    return f" The largest pressure, {above:.0f} MPa, is beyond the axis." if above > top else ""
 
 
 def half(values: Array) -> Array:

@@ -22,7 +22,7 @@ from verify.form.adapter import adapted
 
 DESIGNS, SEED = 200, 3
 PARTS = (0, 1, 2)  # parts of the measurement
-ENGAGEMENTS = 400  # number of engagements for DIRECT
+ENGAGEMENTS = 400  # number of engagements that DIRECT computes
 SEEDS = 10
 
 

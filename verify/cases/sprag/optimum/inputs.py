@@ -29,7 +29,7 @@ class OptimumInputs(EngagementInputs):
     z_m_high: float = quantity("0.025 mm", "mm", "z_m,max", "upper bound of z_m",
                                omitted=25e-6, gt=0, le=10,
                                claims="huang2018:zm-upper-bound")  # fmt: skip
-    levels: int = count(5, "", "levels per parameter of the factorial", ge=4, le=MOST_DESIGNS,
+    levels: int = count(5, "", "levels of each parameter in the factorial", ge=4, le=MOST_DESIGNS,
                         claims="huang2018:factorial-levels")  # fmt: skip
     extra: int = count(10, "", "number of random designs that test the surrogate", ge=3, le=200,
                        claims="huang2018:validation-points")  # fmt: skip

@@ -41,7 +41,7 @@ def maps(context: Context) -> Sequence[Figure]:
 
 
 def lines(context: Context) -> Curves:
-    """Figure of the largest pressure over K_1 for several z_m, by surrogate and by engagements."""
+    """Figure of p_max over K_1 for several z_m, by surrogate and by computed engagements."""
     found, q = measured(context), context.inputs
     true, K_1 = found["true K_1, z_m"][0], np.linspace(q.K_1_low, q.K_1_high, q.levels)
     z_m = np.linspace(q.z_m_low, q.z_m_high, q.levels)
@@ -55,7 +55,8 @@ def lines(context: Context) -> Curves:
     return plot(
         f"Largest pressure over K_1 at K_2 = {held(q.box, 1):g}", "K_1", "Pre_max [MPa]", curves,
         y_bottom=0.98 * float(true.min()) / MPa,
-        note="Lines: surrogate, fitted without designs at this K_2. Dots: engagements.",
+        note="Lines: surrogate, fitted without designs at this K_2. Dots: computed "
+        "engagements.",
     )  # fmt: skip
 
 

@@ -35,7 +35,7 @@ def solve(q: OptimumInputs, level: int) -> Level:
 
 
 def maps_fem(q: OptimumInputs) -> dict[str, Array]:
-    """Array (torques, K_1, z_m) of pressures [Pa] by engagements, at the K_2 of Figs. 15, 17."""
+    """Pressures [Pa] (torques, K_1, z_m) of computed engagements, at the K_2 of Figs. 15, 17."""
     low, high = np.array(q.box.low), np.array(q.box.high)
     K_1, z_m = (np.linspace(low[k], high[k], q.levels) for k in (0, 2))
     grid = np.array([(a, held(q.box, 1), b) for a in K_1 for b in z_m])

@@ -134,13 +134,14 @@ def fresh(context: Context) -> tuple[float, float, str]:
 
 
 def at_best(context: Context) -> Pair:
-    """Pressures [Pa] of surrogate and engagement at the optimal crown."""
+    """Pressures [Pa] of the optimal crown by surrogate and by a computed engagement."""
     *_, (*_, predicted, true) = measured(context)["infill"]
     rounds = len(measured(context)["infill"])
     words = (
-        f"p_max is {predicted / 1e6:.1f} MPa by the surrogate and {true / 1e6:.1f} MPa by an "
-        f"engagement after {rounds} rounds of infill; this agreement is the stopping criterion of "
-        "infill; independent evidence is given by new designs and by the search without surrogate"
+        f"p_max is {predicted / 1e6:.1f} MPa by the surrogate and {true / 1e6:.1f} MPa by a "
+        f"computed engagement after {rounds} rounds of infill; this agreement is the stopping "
+        "criterion of infill; independent evidence is given by new designs and by the search "
+        "without surrogate"
     )
     return Pair(predicted, true, 0.0, words)
 
@@ -163,22 +164,22 @@ def directly(context: Context) -> Pair:
     tried, best = found["direct"][:, 3], float(found["best true"][0])
     low = float(tried.min())
     words = (
-        f"the search without surrogate finds {low / 1e6:.1f} MPa after {len(tried)} engagements, "
-        f"{low / best - 1:+.2%} relative to {best / 1e6:.1f} MPa of the optimal crown"
+        f"the search without surrogate finds {low / 1e6:.1f} MPa after {len(tried)} computed "
+        f"engagements, {low / best - 1:+.2%} relative to {best / 1e6:.1f} MPa of the optimal crown"
     )
     return Pair(best, low, 0.0, words)
 
 
 def asked(context: Context) -> str:
-    """Text: numbers of engagements that a search needs, with and without a surrogate."""
+    """Text: numbers of engagements that a search computes, with and without a surrogate."""
     found = measured(context)
     tried, best = found["direct"][:, 3], float(found["best true"][0])
     near = tried <= best * (1 + NEAR)
     first = f"{int(np.argmax(near)) + 1}" if near.any() else f"more than {len(tried)}"
     return (
-        f"with kriging, the optimum requires {len(found['X'])} engagements of the factorial and "
-        f"{len(found['infill'])} of infill; without kriging, a search from the given crown to "
-        f"within {NEAR:.1%} of the optimum requires {first} engagements"
+        f"with kriging, the optimum requires {len(found['X'])} computed engagements of the "
+        f"factorial and {len(found['infill'])} of infill; without kriging, a search from the given "
+        f"crown to within {NEAR:.1%} of the optimum requires {first} computed engagements"
     )
 
 
@@ -241,23 +242,24 @@ SURROGATE = (
               symbol="ΔY/Y", unit="1", size=fresh, accepted=MEAN,
               source=suites("the mean error has the tolerance at the optimal crown; the error at "
                             "each design has six times this tolerance"),
-              whole="pressure of an engagement",
+              whole="pressure of a computed engagement",
               by="surrogate", everywhere=True),
-    agrees(f"pressures at the optimal crown by surrogate and by engagement agree within "
-           f"{AGREE:.1%}", "Y", at_best, AGREE, "engagement", SUBJECT),
+    agrees(f"pressures of the optimal crown by surrogate and by a computed engagement agree within "
+           f"{AGREE:.1%}", "Y", at_best, AGREE, "computed engagement", SUBJECT),
     agrees("lowest pressures by genetic algorithm and by differential evolution agree within "
            f"{SEARCHES:.1%}", "Y", searched, SEARCHES, "differential evolution",
-           suites("one fifth of the tolerance between surrogate and engagement")),
+           suites("one fifth of the tolerance between surrogate and computed engagement")),
     agrees("lowest pressures with surrogate and by a search without surrogate agree within "
            f"{AGREE:.1%}", "Pre_max", directly, AGREE, "search without surrogate",
-           suites("same tolerance as between surrogate and engagement")),
-    Displayed(name="number of engagements of a search with and without kriging", symbol="n",
-              unit="1", words=asked),
+           suites("same tolerance as between surrogate and computed engagement")),
+    Displayed(name="number of engagements that a search computes, with and without kriging",
+              symbol="n", unit="1", words=asked),
     Displayed(name="errors of a single kriging model of all slices (Eq. 20)", symbol="Y", unit="1",
               words=single_errors),
     Displayed(name="errors of separate kriging models of the end slice and the other slices",
          symbol="Y", unit="1", words=two_errors),
-    OfPaper(name="separate kriging models of the end slice and the other slices halve the errors",
+    OfPaper(name="separate kriging models of the end slice and the other slices have less than "
+            "half the error of a single model",
             symbol="Y", unit="1", margin=better),
     OfPaper(name="leave-one-out estimates of the error of a single kriging model are less than a "
             "tenth of this error", symbol="Y", unit="1", margin=blind),

@@ -107,7 +107,8 @@ def bars(context: Context) -> Bars:
         items=tuple(items),
         note="The separate models are those of the end slice and of the other slices. If one "
         "design is left out, its neighbours with the same value of a parameter remain; the "
-        "estimated error therefore does not contain the kink of the pressure between two values.",
+        "estimated error therefore does not contain the kink of the pressure between two "
+        "values of this parameter.",
     )
 
 
@@ -125,12 +126,12 @@ def searches(context: Context) -> Curves:
         asked = np.linspace(0, float(found[f"{key} evaluations"][0]), len(history) + 1)[1:]
         curves.append(line(name, np.log10(asked), history / MPa, 2 * colour))
     tried = np.minimum.accumulate(found["direct"][:, 3]) / MPa
-    curves.append(line("simplex, on engagements, from the given crown",
+    curves.append(line("simplex, on computed engagements, from the given crown",
                        np.log10(np.arange(1, len(tried) + 1)), tried, 4))  # fmt: skip
     rounds = found["infill"]
     at = np.log10(len(found["X"]) + np.arange(1, len(rounds) + 1))
     curves += [
-        dots("optimum of the surrogate, by engagement", at, rounds[:, 4] / MPa, 5),
+        dots("optimum of the surrogate, by a computed engagement", at, rounds[:, 4] / MPa, 5),
         dots("optimum of the surrogate, predicted", at, rounds[:, 3] / MPa, 1),
     ]  # fmt: skip
     low = min(float(c.y.min()) for c in curves)
@@ -138,8 +139,8 @@ def searches(context: Context) -> Curves:
         "Searches for the optimal crown", "number of evaluations", "Pre_max [MPa]", curves,
         y_bottom=0.998 * low, y_top=1.015 * low,
         x_names=tuple((float(k), f"{10**k:,}") for k in range(5)),
-        note="For the optimum of the surrogate, the number of evaluations includes the engagements "
-        "of the factorial.",
+        note="For the optimum of the surrogate, the number of evaluations includes the computed "
+        "engagements of the factorial.",
     )  # fmt: skip
 
 
@@ -164,15 +165,16 @@ def longer(context: Context) -> Sequence[Table]:
     slower = first is None or first > len(measured(context)["X"])
     remark = (
         "" if slower else
-        f" The factorial requires {len(measured(context)['X'])} engagements. Kriging therefore "
-        "does not reduce the number of engagements for the optimal crown; it gives the maps."
+        f" The factorial requires {len(measured(context)['X'])} computed engagements. Kriging "
+        "therefore does not reduce the number of computed engagements for the optimal crown; it "
+        "gives the maps."
     )  # fmt: skip
     rows = (
         (f"errors of a single kriging model at {DESIGNS} designs", size("single")),
         (f"errors of separate kriging models at {DESIGNS} designs", size("two")),
-        (f"lowest pressure by DIRECT with at most {ENGAGEMENTS} engagements",
+        (f"lowest pressure by DIRECT with at most {ENGAGEMENTS} computed engagements",
          f"{low.min() / MPa:.1f} MPa, {low.min() / best - 1:+.2%} relative to the optimal crown"),
-        ("engagements of DIRECT until the pressure is within 0.1 % of the optimum",
+        ("engagements that DIRECT computes until the pressure is within 0.1 % of the optimum",
          str(first or "not reached")),
         (f"lowest pressures by the genetic algorithm with {SEEDS} random seeds",
          f"{seeds['GA'].min() / MPa:.2f} to {seeds['GA'].max() / MPa:.2f} MPa"),

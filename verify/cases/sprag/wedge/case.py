@@ -28,8 +28,8 @@ STUDIED = (  # rows of the study
     "excess of N_e over N_i",
     "rotation of the sprags with Palmgren's law",
     "rotation of the sprags with elastic deflections, at N_0",
-    "wind-up of rigid races",
-    "torsional stiffness of rigid races",
+    "wind-up of a clutch with rigid races",
+    "torsional stiffness of a clutch with rigid races",
 )
 THIN_RACES = ("R_ed=23mm", "R_id=9.5mm", "T=12.5N m")  # that bend between few sprags
 NEAR_FLANK = (
@@ -81,8 +81,9 @@ class WedgedSprag(WedgeSteps):
         "one",
         "five states are computed; splines over ln N interpolate between them, a power law "
         "extrapolates below the first one",
-        "elastic deflections: the races are rings under single loads (Fourier series), the sprag "
-        "is loaded by two opposed forces at its contacts (complex potentials)",
+        "elastic deflections: the races are rings under concentrated forces, one at each sprag "
+        "(Fourier series); the sprag is loaded by two opposed forces at its contacts (complex "
+        "potentials)",
         "expected errors: the angles change because the column bends (its contacts lie beside the "
         "centre line) and its ends roll further. Tangential forces increase the wind-up by 0.4 "
         "tan²ν to 1.2 tan²ν (relative). The error of Hertz's theory is (a/r)²",

@@ -17,12 +17,12 @@ class WedgeSteps(WedgeFormulas):
     """Quantities of a wedged sprag, and the steps of their computation."""
 
     @step("E'", "GPa", "modulus of plane strain", tex=r"\frac{E}{1 - \nu^2}",
-          source="Eq. 6 as printed, for thin races, uses E and ν")  # fmt: skip
+          source="Eq. 6 as printed (plane stress) contains E and ν instead")  # fmt: skip
     def E_plane(self) -> float:
         return self.bodies.E_plane
 
     @step("ν'", "1", "Poisson's ratio of plane strain", tex=r"\frac{\nu}{1 - \nu}",
-          source="Eq. 6 as printed, for thin races, uses E and ν")  # fmt: skip
+          source="Eq. 6 as printed (plane stress) contains E and ν instead")  # fmt: skip
     def nu_plane(self) -> float:
         return self.nu / (1 - self.nu)
 

@@ -27,8 +27,8 @@ TANGENTIAL = (
 )
 HERTZ = "sum of 2e-3 and 2 (a/h)², where h is the smallest radius, wall thickness or width"
 BETTI = (
-    "by reciprocity, Lamé's mean applies to any position of the forces; 1e-3 for effects of second "
-    "order"
+    "by reciprocity, Lamé's mean displacement applies to any position of the forces; 1e-3 for "
+    "effects of second order"
 )
 PALMGREN = "Palmgren's law applies to rollers of finite length"
 RIGID = "races and sprag are rigid"
@@ -131,7 +131,7 @@ def _rotations(q: Wedge) -> Iterator[Comparison]:
                        "strain energy",
                        "θ(N)", Bounds.turn, TANGENTIAL, own=SLIPPING)  # fmt: skip
     yield from through(q, Wedge.alpha_plane,
-                       "rotation of the sprags with half planes and Eq. 6 for long races", "α(N)",
+                       "rotation of the sprags with half planes and Eq. 6 for plane strain", "α(N)",
                        Bounds.plane, "deflections of half planes and uniformly loaded rings, "
                        "compared with elastic solutions of the same parts",
                        **at_full, shares=PLANE)  # fmt: skip
@@ -159,12 +159,13 @@ def _rotations(q: Wedge) -> Iterator[Comparison]:
 def _of_rigid_races(q: Wedge) -> Iterator[Comparison]:
     yield approximation(
         Wedge.theta_rigid_races, expected=underived(RIGID), state=q.stroke[FULL], order=2,
-        name="wind-up of rigid races by Palmgren's law (Huang 2022, Eqs. 2, 4), at N_0",
-        symbol="θ(N)",
+        name="wind-up of a clutch with rigid races by Palmgren's law (Huang 2022, Eqs. 2, 4), at "
+        "N_0", symbol="θ(N)",
     )  # fmt: skip
     yield approximation(
         Wedge.secant, expected=underived(RIGID), state=q.stroke[FULL], order=2, symbol="T/θ",
-        name="torsional stiffness of rigid races by Palmgren's law (Huang 2022, Eq. 11), at N_0",
+        name="torsional stiffness of a clutch with rigid races by Palmgren's law (Huang 2022, "
+        "Eq. 11), at N_0",
     )  # fmt: skip
 
 
@@ -173,7 +174,7 @@ def _races(q: Wedge) -> Iterator[Comparison]:
              ("outer", "e", Wedge.mean_e, Wedge.thin_e, Wedge.race_e))  # fmt: skip
     for race, which, mean, *_ in races:
         yield from through(
-            q, mean, f"mean displacement of the {race} race (Eq. 6 for long races)",
+            q, mean, f"mean displacement of the {race} race (Eq. 6 for plane strain)",
             f"δ_B{which.upper()}", lambda _: (-SHARP, SHARP), BETTI, points=(FULL, MOST),
             shares=PLANE,
         )  # fmt: skip
@@ -181,7 +182,7 @@ def _races(q: Wedge) -> Iterator[Comparison]:
         symbol = f"δ_B{which.upper()}"
         at_full: dict[str, Any] = {"points": (FULL,)}
         yield from through(
-            q, thin, f"mean displacement of the {race} race (Eq. 6 as printed, for thin races)",
+            q, thin, f"mean displacement of the {race} race (Eq. 6 as printed, for plane stress)",
             symbol, partial(Bounds.thin, which=which), "Eq. 6 as printed is for plane stress, the "
             "reference is in plane strain",
             reference=mean.name, shares="", **at_full,
@@ -196,7 +197,7 @@ def _races(q: Wedge) -> Iterator[Comparison]:
             q, thin, f"displacement of the {race} race under a sprag, taken as the mean "
             "displacement by Eq. 6", symbol,
             partial(Bounds.thin_at_contact, which=which), "mean displacement by Eq. 6, "
-            "compared with the displacement of a ring under single loads",
+            "compared with the displacement of a ring under concentrated forces",
             reference=under.name, shares="", **at_full,
         )  # fmt: skip
 

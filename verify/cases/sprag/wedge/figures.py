@@ -146,8 +146,9 @@ def _yields(context: Context, states: Wedged) -> Curves:
         curves.append(dots("FE, total", loads[0], loads[5] * 1e6))
     return plot(
         "Deflection by component, stacked", "N [N]", "H [µm]", curves,
-        note="The races are rings under single loads; their deflection is the sum of the mean and "
-        "the local indentation under a sprag. The sprag is a column between two forces.",
+        note="The races are rings under concentrated forces, one at each sprag. The deflection of "
+        "a race is the mean deflection of the ring plus the local indentation under a sprag. The "
+        "sprag is a column between two forces.",
     )  # fmt: skip
 
 
@@ -159,6 +160,6 @@ def _shares(q: WedgeFormulas) -> Bars:
         items=tuple(
             (name, float(part[0]) * 1e6, f"{float(part[0]) / whole:.0%}") for name, part in found
         ),
-        note="Eq. 6, for long races, contains the mean deflections of both races. The contact law "
+        note="Eq. 6 for plane strain contains the mean deflections of both races. The contact law "
         "and Eq. 7 contain the local indentations and the deflection of the sprag.",
     )  # fmt: skip

@@ -165,7 +165,7 @@ class WedgeFormulas(WedgeInputs, Case):
     def alpha(self) -> float:
         return float(self.state.alpha_b)
 
-    @Quantity("α", "deg", "rotation of the sprags with half planes and Eq. 6 for long races",
+    @Quantity("α", "deg", "rotation of the sprags with half planes and Eq. 6 for plane strain",
               form_of="alpha",
               source="Eqs. 6, 10")  # fmt: skip
     def alpha_plane(self) -> float:
@@ -198,7 +198,7 @@ class WedgeFormulas(WedgeInputs, Case):
     def theta(self) -> float:
         return float(rolled(self.clutch, np.asarray(self.N)))
 
-    @Quantity("θ", "deg", "wind-up of rigid races by Palmgren's law", form_of="theta",
+    @Quantity("θ", "deg", "wind-up of a clutch with rigid races by Palmgren's law", form_of="theta",
               source="Huang 2022, Eqs. 2 and 4")  # fmt: skip
     def theta_rigid_races(self) -> float:
         found = self.bodies.composite.compliance.yields(self.N)
@@ -208,7 +208,7 @@ class WedgeFormulas(WedgeInputs, Case):
     @Quantity(
         "T/θ",
         "N m/rad",
-        "torsional secant stiffness of rigid races by Palmgren's law",
+        "torsional secant stiffness of a clutch with rigid races by Palmgren's law",
         source="Huang 2022, Eq. 11",
     )
     def secant(self) -> float:
@@ -250,34 +250,34 @@ class WedgeFormulas(WedgeInputs, Case):
     def a_e(self) -> float:
         return float(self.widths[1])
 
-    @Quantity("u_i", "µm", "mean displacement of a long inner race", equation="6",
+    @Quantity("u_i", "µm", "mean displacement of the inner race in plane strain", equation="6",
               tex=mean_of("E'", "N", INNER, r"- \nu'"))  # fmt: skip
     def mean_i(self) -> float:
         return float(self.unit * self.bodies.races[0].mean * self.N)
 
-    @Quantity("u_e", "µm", "mean displacement of a long outer race", equation="6",
+    @Quantity("u_e", "µm", "mean displacement of the outer race in plane strain", equation="6",
               tex=mean_of("E'", "N_e", OUTER, r"+ \nu'"))  # fmt: skip
     def mean_e(self) -> float:
         return float(self.unit * self.bodies.races[1].mean * self.state.N_e)
 
-    @Quantity("u_i", "µm", "mean displacement of a thin inner race", equation="6",
+    @Quantity("u_i", "µm", "mean displacement of the inner race in plane stress", equation="6",
               form_of="mean_i", form="as printed",
               tex=mean_of("E", "N", INNER, r"- \nu"))  # fmt: skip
     def thin_i(self) -> float:
         return float(self.bodies.composite.compliance.yields(self.N).race_i)
 
-    @Quantity("u_e", "µm", "mean displacement of a thin outer race", equation="6",
+    @Quantity("u_e", "µm", "mean displacement of the outer race in plane stress", equation="6",
               form_of="mean_e", form="as printed",
               tex=mean_of("E", "N", OUTER, r"+ \nu"))  # fmt: skip
     def thin_e(self) -> float:
         return float(self.bodies.composite.compliance.yields(self.N).race_e)
 
     @Quantity("u_is", "µm", "displacement of the inner race under a sprag",
-              source="ring under single loads")  # fmt: skip
+              source="ring under concentrated forces")  # fmt: skip
     def race_i(self) -> float:
         return float(self.unit * self.bodies.races[0].under(self.widths[0]) * self.N)
 
     @Quantity("u_es", "µm", "displacement of the outer race under a sprag",
-              source="ring under single loads")  # fmt: skip
+              source="ring under concentrated forces")  # fmt: skip
     def race_e(self) -> float:
         return float(self.unit * self.bodies.races[1].under(self.widths[1]) * self.state.N_e)
