@@ -224,8 +224,8 @@ def test_a_formula_has_its_equation_where_it_is_certain_which():
     [
         ("polyhedral-clutch", "pressure for the target torque, Eqs. 17 to 20",
          "Belcin, Eqs. 17 to 20"),
-        ("sprag-wedge", "wind-up of a clutch with rigid races by Palmgren's law (Huang 2022, Eqs. 2, 4), "
-         "at N_0",
+        ("sprag-wedge", "wind-up of a clutch with rigid races by Palmgren's law (Huang 2022, "
+         "Eqs. 2, 4), at N_0",
          "Huang 2022, Eqs. 2, 4"),
         ("ring-lame", "bore displacement, plane stress",
          "Huang 2018, Eq. 6, based on Lamé's formulas"),

@@ -67,8 +67,9 @@ class SpragCrown(EngagementInputs, Case):
     assumptions: ClassVar = (
         "length, width and wedge angle of the sprags, the stiffness of the support and Q are "
         "identified, not printed: results that depend on them are calibrated",
-        "N_max of the crowns of Eq. 19 is a quadratic function fitted to 27 engagements. N_max "
-        "differs by 2 % over all crowns; the residual of the fit changes p_max by less than 0.1 %",
+        "N_max of the crowns of Eq. 19 is a quadratic function fitted to 27 computed engagements. "
+        "N_max differs by 2 % over all crowns; the residual of the fit changes p_max by less than "
+        "0.1 %",
         "for a user's clutch, the bounds of z_m in Eq. 19 are multiplied by 2Q/(π l E') of that "
         "clutch divided by 2Q/(π l E') of the clutch of the paper",
         "pressures are computed by slices (Palmgren's law): at loaded ends, they are lower than on "

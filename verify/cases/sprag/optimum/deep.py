@@ -1,7 +1,8 @@
 """Long studies of the optimisation: 200 designs, long searches, several random seeds.
 
 A long study has three parts: errors at validation designs; a search by scipy's DIRECT on
-engagements, without a surrogate; genetic algorithm and differential evolution with several seeds.
+computed engagements, without a surrogate; genetic algorithm and differential evolution with
+several seeds.
 """
 
 from dataclasses import replace
@@ -32,7 +33,7 @@ def deep_fem(q: OptimumInputs, level: int) -> Level:
 
 
 def validated_fem(q: OptimumInputs) -> dict[str, Array]:
-    """Relative errors of both surrogates at new designs, and pressures [Pa] by engagements."""
+    """Relative errors of both surrogates at new designs, and computed pressures [Pa]."""
     from analytic.surrogate.kriging import fit
 
     x = full_factorial(q.box, q.levels)

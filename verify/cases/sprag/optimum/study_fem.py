@@ -1,7 +1,7 @@
 """The optimisation of the paper (Eqs. 17-22, Fig. 9) with computed engagements.
 
 The steps are a full factorial design, kriging of the largest pressures, searches on the surrogate,
-engagements at the optima, and a search without a surrogate.
+computed engagements at the optima, and a search without a surrogate.
 """
 
 import numpy as np
