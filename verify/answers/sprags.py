@@ -24,7 +24,7 @@ NO_CROWN = (
 MISSING = "give p_lim"
 ROLLS_OVER = "the sprags reach the end of their profile and roll over"
 STATIC_ONLY = (
-    "the pressure is the static one; in the first peak of an engagement it is larger, see "
+    "the pressure is the static one; at the first force peak of an engagement it is larger, see "
     "sprag-crown"
 )
 
@@ -86,7 +86,7 @@ def engagement(q: Any, v: Values, part: Assessment) -> None:
         return
     what = "largest required friction coefficient"
     part.below_input("friction", what, v["mu_asked"], q, "mu_s")
-    _largest_pressure(q, v["N_max"], "in the first peak", part)
+    _largest_pressure(q, v["N_max"], "at the first force peak", part)
     _yield_is_elsewhere(q, part)
 
 
@@ -104,12 +104,12 @@ def stick_slip(q: Any, v: Values, part: Assessment) -> None:
 def crown(q: Any, v: Values, part: Assessment) -> None:
     """Criteria of a crowned sprag: friction, and largest pressure at the first force peak."""
     if "p_peak" not in v:
-        part.failures.append("no state within the sprags' profile carries the first peak")
+        part.failures.append("no state within the sprags' profile carries the first force peak")
         return
     part.below_input("friction", FRICTION, required_friction(q)[0], q, "mu_s")
     if q.z_m == 0:
         part.unknowns.append(NO_CROWN)
-    part.pressure("contact_pressure", "largest pressure in the first peak", v["p_peak"], q.E,
+    part.pressure("contact_pressure", "largest pressure at the first force peak", v["p_peak"], q.E,
                   given=q.p_lim, option=MISSING)  # fmt: skip
 
 

@@ -31,16 +31,16 @@ def test_the_first_peak_of_an_engagement_is_1_86_times_the_static_force():
 @pytest.mark.parametrize(
     ("changes", "verdict", "words", "in_time"),
     [
-        ({}, "holds", "holds at rest and in the first peak", "the clutch locks"),
-        ({"T": 72.0}, "rolls over", "holds at rest, rolls over in the first peak; longer",
+        ({}, "holds", "holds at rest and at the first force peak", "the clutch locks"),
+        ({"T": 72.0}, "rolls over", "holds at rest, rolls over at the first force peak; longer",
          "the sprags roll over"),
         ({"T": 600.0, "alpha_max": 3.0}, "no state", "the formulas give no equilibrium at rest, "
-         "the first peak is beyond", "the contacts become too wide for the formulas"),
-        ({"T": 55.0}, "overloaded", "holds at rest, is overloaded in the first peak",
+         "the first force peak is beyond", "the contacts become too wide for the formulas"),
+        ({"T": 55.0}, "overloaded", "holds at rest, is overloaded at the first force peak",
          "the clutch locks"),
         (SLIPPERY, "slips", "slips at rest, slips permanently in the engagement",
          "a contact continues to slide"),
-        ({"T": 72.0, "t_ramp": 0.05}, "holds", "holds at rest and in the first peak",
+        ({"T": 72.0, "t_ramp": 0.05}, "holds", "holds at rest and at the first force peak",
          "the clutch locks"),
     ],
 )  # fmt: skip

@@ -51,8 +51,8 @@ def test_lines_that_turn_and_engagements_are_counted_and_a_flat_part_is_a_band()
     assert band(np.linspace(1, 5, 5), p) == "from 2.00 to 4.00, p_max is within 0.5% of the lowest"
     found = {"best true": np.array([1.0]), "X": np.zeros((125, 3)), "infill": np.zeros((2, 5))}
     tried = np.array([[0, 0, 0, 1.2], [0, 0, 0, 1.0009], [0, 0, 0, 1.0]])
-    assert asked(of(**found, direct=tried)).endswith("of the optimum requires 2 engagements")
-    assert asked(of(**found, direct=tried + 0.01)).endswith("requires more than 3 engagements")
+    assert asked(of(**found, direct=tried)).endswith("optimum requires 2 computed engagements")
+    assert asked(of(**found, direct=tried + 0.01)).endswith("more than 3 computed engagements")
 
 
 @pytest.mark.parametrize(

@@ -19,13 +19,13 @@ AT_REST = {
     "no state": "the formulas give no equilibrium at rest",
 }
 IN_TIME = {
-    "holds": "holds in the first peak",
+    "holds": "holds at the first force peak",
     "not followed": "the computed time ends before the peak of the engagement",
-    "overloaded": "is overloaded in the first peak",
+    "overloaded": "is overloaded at the first force peak",
     "disengages": "its contacts are separated at the end",
     "slips": "slips permanently in the engagement",
-    "rolls over": "rolls over in the first peak",
-    "no state": "the first peak is beyond the range of the formulas",
+    "rolls over": "rolls over at the first force peak",
+    "no state": "the first force peak is beyond the range of the formulas",
 }
 WORDS = {
     "locks": "the clutch locks",
@@ -47,7 +47,7 @@ def overall(q: ClutchFormulas, v: Values) -> tuple[str, tuple[str, ...]]:
     still, moving = verdict(q), in_time(q, v)
     worst = max(still, moving, key=WORSE.index)
     if still == moving and still in ("holds", "overloaded", "rolls over"):
-        head = f"{AT_REST[still]} and in the first peak"
+        head = f"{AT_REST[still]} and at the first force peak"
     else:
         head = f"{AT_REST[still]}, {IN_TIME[moving]}"
     if moving == "rolls over" and still in ("holds", "overloaded"):

@@ -90,13 +90,13 @@ class SpragCrown(EngagementInputs, Case):
     def c(self) -> float:
         return float(-np.expm1(-self.z_m / self.A))
 
-    @Drop("z_mean", "µm", "mean drop over the length", source="mean of Eq. 1 over the length",
+    @Drop("z_mean", "µm", "mean drop over the length", source="Eq. 1, mean over the length",
           tex=rf"K_2 (z_m + 2 A - A \frac{{{ARTANH}}}{{\sqrt{{c}}}})")  # fmt: skip
     def mean(self) -> float:
         return crown_mean.mean_drop(self.A, self.K_2, self.z_m)
 
     @Drop("e_z", "1", "increase of the mean drop in % for 1 % more z_m",
-          source="mean of Eq. 1 over the length",
+          source="Eq. 1, mean over the length",
           tex=rf"\frac{{z_m K_2}}{{z_{{mean}}}} (1 - \frac{{1}}{{c}} + "
           rf"\frac{{(1 - c) {ARTANH}}}{{2 c \sqrt{{c}}}})")  # fmt: skip
     def share(self) -> float:

@@ -203,5 +203,5 @@ def ratios(found: Mapping[str, Array]) -> Dots:
         items=tuple(items),
         note=f"The ratio of the forces is {N_40 / N_25:.3f}. The ratio of p_max can be below that "
         "of a uniform load only if the load at 25 N m is not uniform. According to the paper, the "
-        "loads of the printed optima are uniform.",
+        "loads of its optimal crowns are uniform.",
     )  # fmt: skip

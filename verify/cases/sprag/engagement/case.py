@@ -48,7 +48,7 @@ class SpragEngagement(EngagementFormulas):
         "length, width and wedge angle of the sprags, the stiffness of the support and the design "
         "load of the crown are identified, not printed; friction, α_max and the position of the "
         "centroid are assumed",
-        "N is the static function of the rotation, by the closure that satisfies the work balance; "
+        "N depends on the rotation as in statics, by the closure that satisfies the work balance; "
         "the iteration of the paper is not necessary",
         "all sprags are equal; the races rotate, but their axes do not move or bend; no oil",
         "the centroid is at the distance OC_g(α) from the axis; its radial motion is neglected, as "

@@ -167,7 +167,7 @@ def liu(context: Context) -> tuple[float, float, str]:
     words = (
         f"rigid races change the largest force by {v['rigid'] - 1:+.1%}, without damping by "
         f"{free:+.1%}; with rigid races, the period of oscillation is shorter, so that damping "
-        f"reduces the first peak less; the races account for {share:.0%} of the deflection"
+        f"reduces the first peak less; the races account for {share:.0%} of the total deflection"
     )
     return v["rigid"] - 1, LSODA, words
 

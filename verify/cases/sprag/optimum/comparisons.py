@@ -278,7 +278,7 @@ def checks(T: int) -> tuple[Any, ...]:
     why = (
         ""
         if T == 25
-        else "; the value is a prediction, because the printed pressures contradict each other"
+        else "; this prediction is not judged, because the printed pressures contradict each other"
     )
     found = (
         *SURROGATE,

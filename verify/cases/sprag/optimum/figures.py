@@ -61,13 +61,13 @@ def extra(context: Context) -> Table:
         for x, t, a, b in zip(found["extra"], true, one, two, strict=True)
     )  # fmt: skip
     return Table(
-        title="Surrogates at extra designs, in the form of Table 2",
-        header=("K_1", "K_2", "z_m [µm]", "actual [MPa]", "single kriging model", "error [%]",
-                "separate kriging models", "error [%]"),
+        title="Errors of the surrogates at the extra designs, in the form of Table 2",
+        header=("K_1", "K_2", "z_m [µm]", "actual [MPa]", "single model [MPa]", "error [%]",
+                "separate models [MPa]", "error [%]"),
         rows=rows,
-        note="The separate models are those of the end slice and of the other slices. Errors are "
-        "relative to the predicted value, as in Table 2. The paper does not print the designs of "
-        "Table 2.",
+        note="Predictions by a single kriging model, and by separate kriging models of the end "
+        "slice and of the other slices. Errors are relative to the predicted value, as in Table 2. "
+        "The paper does not print the designs of Table 2.",
     )  # fmt: skip
 
 
