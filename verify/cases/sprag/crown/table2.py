@@ -175,7 +175,7 @@ TABLE_2 = (
                 printed=tuple(f"huang2018:table2-row{k}-{column}" for k in ROWS))
         for column, words in (("actual", "actual"), ("predicted", "predicted"))
     ),
-    Beside(name="Table 2: median of the actual values, against that of random crowns",
+    Beside(name="Table 2: median of the actual values, compared with that for random crowns",
            symbol="p_max", unit="MPa", value=median_25, figure=MEDIAN, bound=MEAN_LEVEL,
            words="the crowns of Table 2 are not printed; the computed value is the median of 400 "
            "random crowns within the bounds of Eq. 19",

@@ -117,7 +117,10 @@ def crowns(context: Context) -> tuple[float, float, str]:
     """
     none, *with_one = context.fem[-1].arrays["crowns"]
     share = np.array(with_one) / none - 1
-    words = f"N_max changes by {share.min():+.1%} to {share.max():+.1%} with {len(DESIGNS)} crowns"
+    words = (
+        f"relative to no crown, N_max changes by {share.min():+.1%} to {share.max():+.1%} "
+        f"with {len(DESIGNS)} crowns"
+    )
     return CROWN - float(np.abs(share).max()), HALVING, words
 
 

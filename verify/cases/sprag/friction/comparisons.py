@@ -156,7 +156,8 @@ def _limits(q: FrictionFormulas) -> Iterator[Comparison]:
         name="friction coefficient above which the clutch locks, T/(n_s OA N)", by=BY,
         shares=CLOSURE,
     )  # fmt: skip
-    locks = Agreement(name=f"sprags lock above μ = tan ν, within {BOUNDARY:.0%}",
+    locks = Agreement(name="friction coefficient above which the sprags lock is tan ν within "
+                      f"{BOUNDARY:.0%}",
                       symbol="μ_b/tan ν", unit="1", pair=at_tan, accepted=BOUNDARY,
                       source=SUBJECT, by=BY,
                       **demanded(BOUNDARY))  # fmt: skip
@@ -195,8 +196,8 @@ def _partners() -> Iterator[Check]:
 
 
 def _guard() -> Iterator[Check]:
-    yield Agreement(name="N_max with automatic speed bands and by LSODA agree within "
-                    f"{GUARDED:.1%}",
+    yield Agreement(name="N_max by Runge-Kutta steps with automatic speed bands agrees with "
+                    f"N_max by LSODA within {GUARDED:.1%}",
                     symbol="N_max", unit="N", pair=by_default, accepted=GUARDED, source=SUBJECT,
                     by=BY)  # fmt: skip
     yield Accepted(name=f"the check of the time step rejects the speed band D_V = {NARROW:g} m/s "

@@ -22,7 +22,7 @@ def no_load(context: Context) -> Pair:
     for result in context.fem[-2:]:
         N, _, share, *_ = result.arrays["loads"][:, 0]
         found.append(float(np.tan(wedged(clutch, N).nu) / share - 1))
-    words = f"the ratio differs from 1 by {found[1]:+.1e} under {N:.3g} N, 1e-4 accepted"
+    words = f"the ratio of both differs from 1 by {found[1]:+.1e} under {N:.3g} N, 1e-4 accepted"
     return Pair(1 + found[1], 1.0, 2 * abs(found[1] - found[0]), words)
 
 

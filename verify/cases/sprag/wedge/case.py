@@ -80,7 +80,7 @@ class WedgedSprag(WedgeSteps):
         "contours overlap by the deflection; the friction coefficient is five times the required "
         "one",
         "five states are computed; splines over ln N interpolate between them, a power law "
-        "extrapolates below the first one",
+        "extrapolates to smaller loads",
         "elastic deflections: the races are rings under concentrated forces, one at each sprag "
         "(Fourier series); the sprag is loaded by two opposed forces at its contacts (complex "
         "potentials)",

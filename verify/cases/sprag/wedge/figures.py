@@ -52,7 +52,7 @@ def _stroke(q: WedgeFormulas) -> Shapes:
             lines=tuple(1e3 * x for x in (*lines, body) if x.size),
         ))  # fmt: skip
     return Shapes(
-        title="The sprag through its stroke",
+        title="The sprag under increasing load",
         unit="mm",
         panels=tuple(panels),
         dots_name="contacts",
