@@ -218,8 +218,8 @@ def _contacts(q: Wedge) -> Iterator[Comparison]:
 def _statics() -> Iterator[Comparison]:
     yield fact("peak pressure on the inner race exceeds that on the outer, under all compared "
                "forces", "p_i", found.inner_above_outer)  # fmt: skip
-    yield agrees("T_i/N_i under the smallest computed load is tan ν (Eq. 10)", "tan ν", found.no_load,
-                 found.LIGHT, Wedge.mu_i)  # fmt: skip
+    yield agrees("T_i/N_i under the smallest computed load is tan ν (Eq. 10)", "tan ν",
+                 found.no_load, found.LIGHT, Wedge.mu_i)  # fmt: skip
     yield Comparison(check=Accepted(
         name="the wedge angle of the logarithmic spiral is constant", symbol="ν", unit="1",
         margin=found.keeps_its_angle,
