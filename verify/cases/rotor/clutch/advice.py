@@ -28,8 +28,8 @@ def findings(q: ClutchStiffness) -> Sequence[str]:
         else f"would reduce the torsional stiffness to {held:.0%} of K_zz"
     )
     return (
-        f"under {q.T:g} N m, the normal force of each sprag is {q.N:.4g} N, the deflection of both "
-        f"its contacts is {q.delta_0 * 1e6:.3g} µm, and the wind-up of the races is "
+        f"under {q.T:g} N m, the normal force of each sprag is {q.N:.4g} N, the deflections of "
+        f"its two contacts add up to {q.delta_0 * 1e6:.3g} µm, and the wind-up of the races is "
         f"{math.degrees(q.twist):.3g}°; the clutch acts as an isotropic bearing with the stiffness "
         f"{q.K_xx / 1e6:.4g} N/µm and as a torsion spring with {q.K_zz:.4g} N m/rad",
         "under torque alone, bending and torsion are not coupled; with an offset of "

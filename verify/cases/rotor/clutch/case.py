@@ -37,15 +37,16 @@ class ClutchLink(ClutchStiffness):
     )  # fmt: skip
     readings: ClassVar = (
         "d_t in Eq. 4 is R_i tan ν, because Z normal forces N cause the torque T = Z N R_i tan ν",
-        "k_n in Eq. 2 is the constant of the force law of a whole sprag, whose deflection is that "
-        "of both contacts; the tangent stiffness is the slope of this force law",
+        "k_n in Eq. 2 is the constant of the force law of a whole sprag: the deflection of a sprag "
+        "is the sum of the deflections of both contacts; the tangent stiffness is the slope of "
+        "this force law",
         "the angle of twist in Eq. 8 includes the twist under the preload torque T",
         "in Eq. 6, both contacts of a sprag have the crown L(x_k): together they reduce the "
         "deflection by 2 L(x_k)",
     )
     assumptions: ClassVar = (
-        "the races are rigid; each sprag transmits a force along the line through both contacts "
-        "and deflects as two line contacts",
+        "the races are rigid; each sprag transmits a force along the line through both contacts; "
+        "its deflection is the sum of the deflections of two line contacts",
         "with elastic races, the wind-up of the same clutch is almost twice the wind-up with rigid "
         "races; the verdicts of Eqs. 2, 4 and 11 use the comparison with elastic races in the case "
         "sprag-wedge",

@@ -30,12 +30,12 @@ from verify.judging.misprints import Misprint
 from verify.judging.tolerance_checks import SUBJECT, Agreement, Deviation, Pair
 
 SAME = "formula and struts solve the same problem and differ only by round-off"
-RIGID = "rigid races; each sprag is a strut with the deflection of line contacts"
+RIGID = "rigid races; each sprag is a strut with the deflection of two line contacts"
 HELD = "sprags pinned to both races"
 DIFFERENCES = 1e-8  # relative error of a tangent by central differences
-INCLINED = "derived from the inclination ν of the sprag forces (cos ψ − tan ν sin ψ in place of "\
-           "cos ψ in Eq. 3) and from the rotation of these forces with the race; the uncertainty "\
-           "is 5 % of both effects"  # fmt: skip
+INCLINED = "derived from the inclination ν of the sprag forces (cos ψ in Eq. 3 is replaced by "\
+           "cos ψ − tan ν sin ψ) and from the rotation of these forces with the race; the "\
+           "uncertainty is 5 % of both effects"  # fmt: skip
 Points = tuple[list[float], list[float], list[float]]
 link = ClutchStiffness
 
@@ -69,7 +69,8 @@ def _identical(q: ClutchStiffness, one: Quantity, state: str) -> Comparison:
 
 def _states(q: ClutchStiffness) -> Iterator[Comparison]:
     """Rows of the entries of K under even and uneven load."""
-    leading = "derived: −tan²ν, which Eq. 3 omits; the upper limit is −tan²ν + 2 tan⁴ν"
+    leading = "derived: Eq. 3 omits the inclination ν of the sprag forces, which causes the error "\
+              "−tan²ν; the upper limit is −tan²ν + 2 tan⁴ν"  # fmt: skip
     for one in (link.K_xx, link.K_yy):
         yield approximation(one, order=2, state=q.state(""), shares=RIGID,
                             expected=Computed(partial(bounds.leading, q.nu), leading))  # fmt: skip
@@ -79,7 +80,8 @@ def _states(q: ClutchStiffness) -> Iterator[Comparison]:
     def first_order() -> bounds.Interval | None:
         return bounds.first_order(q.nu, q.e / q.delta_0, q.Z)
 
-    series = "derived: tan²ν, which Eq. 3 omits, and the next term of the series in Δx/δ_0"
+    series = "derived from two terms that the formula omits: tan²ν, caused by the inclination of "\
+             "the sprag forces, and the next term of the series in Δx/δ_0"  # fmt: skip
     yield approximation(link.K_xz_first, "K_xz_offset", order=2, symbol="K_xz", shares=RIGID,
                         expected=Computed(first_order, series))  # fmt: skip
     for one, state in (
@@ -105,7 +107,7 @@ def _along_struts(q: ClutchStiffness) -> Iterator[Comparison]:
     """Rows of entries that are zero by Eq. 3, but not with forces along the struts."""
     for state, demand in (
         ("gap", (1e-9, SAME)),
-        ("together", (1e-6, "error caused by slices of finite length on a crown")),
+        ("together", (1e-6, "error caused by the finite length of the slices on a crown")),
     ):
         for one, scale in ((link.K_xy, "K_xx"), (link.K_yz, "K_xz")):
             whole = partial(getattr, q.in_state[state], scale)
@@ -118,7 +120,7 @@ def _held_ends(q: ClutchStiffness) -> Iterator[Comparison]:
         return bounds.held_ends(q.nu, q.delta_0, q.R_e - q.R_i)
 
     source = "derived: Q/(k l) − tan²ν, with sprag force Q and length l between the contacts; "\
-             "uncertainty: the square of the sum of both terms"  # fmt: skip
+             "the uncertainty is the square of Q/(k l) + tan²ν"  # fmt: skip
     yield approximation(link.K_xx, "K_xx_pinned", name=f"stiffness along x, {HELD}", order=2,
                         expected=Computed(interval, source))  # fmt: skip
     yield identity(link.K_zz_pinned, order=2, symbol="K_zz", sensitivity=(1e-8, SAME))
@@ -234,8 +236,8 @@ def _misprints(q: ClutchStiffness) -> Iterator[Check]:
         F = printed.radial_force(q.sums, q.at_T)
         share = abs(K) / q.K_xx
         words = (
-            f"with one angle ψ_i the stiffness is {share:.0e} K_xx, and the force without "
-            f"displacement is {F:.4g} N"
+            f"with the same angle ψ_i for all sprags, the stiffness is {share:.0e} K_xx, and the "
+            f"force at zero displacement is {F:.4g} N"
         )
         return min(1e-9 - share, abs(F) / (q.Z * q.N) - 0.9), words
 
@@ -251,7 +253,7 @@ def _misprints(q: ClutchStiffness) -> Iterator[Check]:
         clutch, at = q.in_state["gap"].sums, q.in_state["gap"].at_T
         K = printed.stiffness_with_lever(clutch, at, lever=2 * clutch.d_t)
         ratio = float(K[4, 0] / K[0, 4])
-        words = f"with twice the lever d_t, ∂M_z/∂x is {ratio:.4g} times ∂F_x/∂γ_z"
+        words = f"with the lever arm 2 d_t, ∂M_z/∂x is {ratio:.4g} times ∂F_x/∂γ_z"
         return 1e-9 - abs(ratio - 2), words
 
     def no_coupling(context: Context) -> tuple[float, str]:
@@ -259,9 +261,10 @@ def _misprints(q: ClutchStiffness) -> Iterator[Check]:
         formula = abs(q.coupling)
         struts = context.series("off_diagonal")[1][-1] / q.K_xx
         words = (
-            f"under even load, K_xz/√(K_xx K_zz) is {formula:.0e} by formulas, and the off-"
-            f"diagonal entries of K are at most {struts:.0e} K_xx by struts; K_xz/√(K_xx K_zz) is "
-            f"{abs(q.in_state['offset'].coupling):.2%} with an offset of {q.e * 1e6:g} µm and "
+            f"under even load, K_xz/√(K_xx K_zz) by the formulas is {formula:.0e}, and the off-"
+            f"diagonal entries of K in the model with struts are at most {struts:.0e} K_xx; by "
+            f"the formulas, K_xz/√(K_xx K_zz) is {abs(q.in_state['offset'].coupling):.2%} with an "
+            f"offset of {q.e * 1e6:g} µm and "
             f"{abs(q.in_state['gap'].coupling):.2%} with {q.missing} of {q.Z} sprags missing"
         )
         return 1e-12 - max(formula, struts), words
@@ -269,7 +272,7 @@ def _misprints(q: ClutchStiffness) -> Iterator[Check]:
     for name, symbol, erratum, margin in (
         ("Eq. 9 with one angle for all sprags", "F_r", "eq-9-sprag-index", one_angle),
         ("Eq. 10 with total displacements", "P_s", "eq-10-increments", whole_displacement),
-        ("torque of Eq. 9 with a lever other than d_t of Eq. 4",
+        ("symmetry of K if the lever arm of M_z in Eq. 9 differs from d_t of Eq. 4",
          "M_z", "eq-9-torque-row", another_lever),
         ("coupling of bending and torsion under torque alone", "K_xz", "eq-11-bending-torsion",
          no_coupling),

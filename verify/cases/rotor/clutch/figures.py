@@ -150,6 +150,6 @@ def _over_gap(context: Context) -> Curves:
         # dots, as the curve lies on that of K_xx
         (curve(name, counts.astype(float), y, "dots" if name == "K_tilt" else "line", number)
          for number, (name, y) in enumerate(found.items())),
-        note="The missing sprags are adjacent and lie around the x-axis. Bearings hold the inner "
-             "race concentric.",
+        note="The missing sprags are adjacent and symmetric to the x-axis. Bearings hold the "
+             "inner race concentric.",
     )  # fmt: skip

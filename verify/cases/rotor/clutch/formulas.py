@@ -44,7 +44,8 @@ class ClutchStiffness(SpragLink):
     def N(self) -> float:
         return float(uniform.normal_force(T=self.T, Z=self.Z, d_t=self.d_t))
 
-    @Quantity("δ_0", "µm", "deflection of both contacts of a sprag", source="Eq. 2", role="step",
+    @Quantity("δ_0", "µm", "sum of the deflections of both contacts of a sprag",
+              source="Eq. 2", role="step",
               tex=r"\delta_{kN} (\frac{N}{1000})^{1 / n}", fitted=True)  # fmt: skip
     def delta_0(self) -> float:
         return float(uniform.approach(N=self.N, k_n=self.k_n))

@@ -33,9 +33,9 @@ class SpragLink(Case):
                          ge=0.1, le=20)  # fmt: skip
     L: float = given("9 mm", "mm", "L_we", "length of the sprags (not printed)", gt=0.01, le=1e5)
     n_s: int = count(SLICES, "n_s", "number of slices of a sprag (not printed)", ge=2, le=1000)
-    a: float | None = given(None, "µm", "a", "deflection of both contacts under 1 kN; "
-                               "default: Palmgren's formula for steel", omitted=None, gt=0, le=1e4,
-                               example="6.6 µm")  # fmt: skip
+    a: float | None = given(None, "µm", "a", "sum of the deflections of both contacts of a "
+                               "sprag under 1 kN; default: Palmgren's formula for steel",
+                               omitted=None, gt=0, le=1e4, example="6.6 µm")  # fmt: skip
     e: float = given("1 µm", "µm", "Δx", "static offset of the inner race along x in the "
                      "states with offset", gt=0, le=1e4)  # fmt: skip
     drop: float = given("1 µm", "µm", "L(L_we/2)", "drop of the parabolic crown at the ends "
@@ -63,13 +63,14 @@ class SpragLink(Case):
         """Constant of a sprag [N/m^(10/9)] (Eq. 2): force over deflection to the power 10/9."""
         return float(REFERENCE / self.yield_1kN**LINE_CONTACT)
 
-    @Quantity("δ_kN", "µm", "deflection of both contacts of a sprag under 1 kN", role="step",
-              source="Palmgren's formula, or the input a")  # fmt: skip
+    @Quantity("δ_kN", "µm", "sum of the deflections of both contacts of a sprag under 1 kN",
+              role="step", source="Palmgren's formula, or the input a")  # fmt: skip
     def yield_1kN(self) -> float:
         both = 2 * float(palmgren.approach(load=REFERENCE, length=self.L))
         return both if self.a is None else self.a
 
-    @Quantity("d_t", "mm", "ratio of a sprag's deflection (both contacts) to the angle of twist",
+    @Quantity("d_t", "mm", "ratio of the deflection of a sprag (sum of both contacts) to the angle "
+                          "of twist",
               source="Eq. 4", role="step", tex=r"R_i \tan\left(\nu\right)")  # fmt: skip
     def d_t(self) -> float:
         return self.R_i * math.tan(self.nu)
@@ -79,11 +80,11 @@ class SpragLink(Case):
         return self.drop * (2 * x / self.L) ** 2
 
     def gap(self) -> tuple[int, ...]:
-        """Indices of the missing sprags, which lie around the x-axis."""
+        """Indices of the missing sprags, which are symmetric to the x-axis."""
         return tuple(range(self.missing))
 
     def angles(self, *, uneven: bool = False) -> Array:
-        """Angles of the sprags [rad]; missing sprags lie around the x-axis."""
+        """Angles of the sprags [rad]; missing sprags are symmetric to the x-axis."""
         first = -(self.missing - 1) * math.pi / self.Z
         return even_angles(Z=self.Z, psi_0=first, missing=self.gap() if uneven else ())
 

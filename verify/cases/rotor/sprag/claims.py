@@ -36,7 +36,7 @@ def printed_bound(context: Context) -> tuple[float, float, str]:
     The uncertainty and the text of the row are also returned.
     """
     error = largest_error(context, 0, FREQUENCIES)
-    return WITHIN_PRINTED - error, 0.0, f"the relative error of 20 elements is at most {error:.1e}"
+    return WITHIN_PRINTED - error, 0.0, f"the relative error with 20 elements is at most {error:.1e}"
 
 
 def coarse(context: Context) -> Pair:
@@ -106,8 +106,8 @@ FITTED_SPEEDS: tuple[Comparison | Check, ...] = (
     Share(name="share of initial values of the fit that lead to all three critical speeds",
           symbol="", unit="%", of="initial values of the fit",
           holds=lambda c: arrays(c)["start met"] > 0),
-    Share(name="share of initial values of the fit that lead to all three critical speeds, with "
-               "parameters in their ranges",
+    Share(name="share of initial values of the fit that lead to all three critical speeds and to "
+               "parameters within their ranges",
           symbol="", unit="%", of="initial values of the fit",
           holds=lambda c: arrays(c)["start in range"] > 0),
 )  # fmt: skip

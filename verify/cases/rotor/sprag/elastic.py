@@ -72,7 +72,7 @@ def inertia(i: int) -> Callable[[Context], float]:
 
 
 ELASTIC: tuple[Comparison | Check, ...] = (
-    *(Rounded(name=f"{what} of the elastic bodies with discs", symbol=symbol, unit="1",
+    *(Rounded(name=f"elastic bodies with discs: {what}", symbol=symbol, unit="1",
               residual=inertia(i), bound=1e-11, scale_name="the value of beams with discs",
               bound_reason="Gauss quadrature is exact on straight cells")
       for i, (what, symbol) in enumerate((

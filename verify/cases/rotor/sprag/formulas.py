@@ -156,12 +156,14 @@ class CentralSystem(SpragRotorInputs):
     def across(self) -> float:
         return float(CENTRAL[K_C])
 
-    @Quantity("d_t", "mm", "ratio of a sprag's deflection (both contacts) to the angle of twist",
+    @Quantity("d_t", "mm", "ratio of the deflection of a sprag (sum of both contacts) to the angle "
+                          "of twist",
               role="step")  # fmt: skip
     def d_t(self) -> float:
         return float(layout(CENTRAL).d_t[0])
 
-    @Quantity("δ_0", "µm", "deflection of both contacts of a sprag under T", role="step",
+    @Quantity("δ_0", "µm", "sum of the deflections of both contacts of a sprag under T",
+              role="step",
               tex=r"\frac{m T}{2 d_t K_{xx}}")  # fmt: skip
     def delta_0(self) -> float:
         return float(yield_of_sprags(self.T, CENTRAL)[0])

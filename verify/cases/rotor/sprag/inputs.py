@@ -23,14 +23,15 @@ class SpragRotorInputs(Case):
     )  # fmt: skip
     members: int = count(48, "N", "required number of fitted sets of parameters", ge=8, le=MOST)
     zeta_low: float = given(
-        "0.5 %", "%", "ζ_min", "smallest damping ratio at critical speeds 1 and 5 (not printed)",
+        "0.5 %", "%", "ζ_min", "lower limit of the damping ratios at critical speeds 1 and 5 "
+        "(not printed)",
         ge=0.05, le=20,
     )  # fmt: skip
     zeta_high: float = given(
         "3 %",
         "%",
         "ζ_max",
-        "largest damping ratio at critical speeds 1 and 5 (not printed)",
+        "upper limit of the damping ratios at critical speeds 1 and 5 (not printed)",
         ge=0.05,
         le=20,
     )

@@ -129,8 +129,9 @@ def ellipses(context: Context) -> tuple[float, str]:
     same, other = ((a[f"axes, {k}"][..., 0] / a[f"axes, {k}"][..., 1])
                    for k in ("isotropic", "anisotropic"))  # fmt: skip
     words = (
-        f"the ratio of the axes of an orbit exceeds 1 by {float(np.abs(same - 1).max()):.0e} or "
-        "less if the bearings are equally stiff in x and y; the median of this ratio exceeds 1 by "
+        "the ratio of the axes of an orbit differs from 1 by at most "
+        f"{float(np.abs(same - 1).max()):.0e} if the bearings are equally stiff in x and y; the "
+        "median of this ratio exceeds 1 by "
         f"{100 * float(np.median(other[:, 1]) - 1):.1f} % (node 19) and "
         f"{100 * float(np.median(other[:, 0]) - 1):.1f} % (node 4) if k_y of the bearings to the "
         f"ground is {1 + context.inputs.anisotropy:.2g} k_x"
@@ -213,7 +214,7 @@ LINEAR_ROWS: tuple[Check, ...] = (
                   f"{k}", symbol=f"Δn_{k}/n_{k}", unit="%",
              values=of_speed("backward", i), words=" of the forward critical speed")
       for i, k in enumerate(ORDERS)),
-    *(Spread(name=f"ratio of the axes of the orbit of node {n} on anisotropic bearings",
+    *(Spread(name=f"ratio of the axes of the orbit of node {n}, rotors on anisotropic bearings",
              symbol="a/b", unit="1", values=ratio_of_axes(i))
       for i, n in enumerate(DISCS)),
     Misprint(name="peak of node 19 at critical speed 3 as a function of unbalance 2",
@@ -230,6 +231,6 @@ LINEAR_ROWS: tuple[Check, ...] = (
     Misprint(name="statement that critical speeds are computed at 5000 r/min", symbol="n", unit="1",
           erratum="huang2022:critical-speed-at-one-speed", margin=at_one_speed,
           printed=("huang2022:comparison-speed",)),
-    Misprint(name="reason given for the choice of the response nodes", symbol="", unit="1",
-          erratum="huang2022:response-nodes-reason", margin=on_the_ground),
+    Misprint(name="reason that the paper gives for the choice of the plotted nodes", symbol="",
+          unit="1", erratum="huang2022:response-nodes-reason", margin=on_the_ground),
 )  # fmt: skip

@@ -80,7 +80,7 @@ class SteppedBeam(SteppedShaft):
         return self.whirl(2, "forward") - self.whirl(2, "backward")
 
     @Quantity("ω_1f/ω_1f'", "1", "frequency of mode 1 forward with nominal diameters, "
-                                "divided by this frequency by the 45° rule",
+                                "divided by the same frequency computed by the 45° rule",
               role="step", tex=r"\frac{\omega_{1f}}{\omega_{1f}'}")  # fmt: skip
     def over_cone(self) -> float:
         return float(self.whirl(1, "forward") / self.by_rule.whirl(1, "forward"))
@@ -167,19 +167,20 @@ class SteppedBeam(SteppedShaft):
         for j in (1, 3):
             q = beam.whirl(j, "forward")
             yield identity(q, f"weak_{q.name}",
-                           name=f"weak form: whirl frequency of mode {j} forward", order=4,
-                           sensitivity=(2e-3, fast), **options)  # fmt: skip
+                           name=f"weak form of the beam: whirl frequency of mode {j} forward",
+                           order=4, sensitivity=(2e-3, fast), **options)  # fmt: skip
         options |= {"state": self._states[1], "order": 2}
         for j in MODES:
             q = beam.whirl(j, "forward")
             yield identity(q, f"weak_cone_{q.name}", uncertainty=partial(self._slice_error, j),
-                           name=f"weak form, 45° rule: whirl frequency of mode {j} forward",
+                           name="weak form of the beam by the 45° rule: whirl frequency of mode "
+                                f"{j} forward",
                            sensitivity=(5e-4, fast), **options)  # fmt: skip
         yield identity(
             beam.split, "weak_cone_split", uncertainty=self._slice_error_of_split,
             scale={"ω_2f'": lambda: self.by_rule.whirl(2, "forward")},
-            name="weak form, 45° rule: gyroscopic splitting of mode 2", sensitivity=(1e-4, fast),
-            **options,
+            name="weak form of the beam by the 45° rule: gyroscopic splitting of mode 2",
+            sensitivity=(1e-4, fast), **options,
         )  # fmt: skip
 
     def _inertia(self) -> Iterator[Comparison]:

@@ -22,7 +22,7 @@ LIMITS = (0.01, 0.02, 0.05)
 MODE = Picture(
     field="mode 1", data="stress along z", symbol="σ_z/σ_{98}", unit="1", factor=1.0, share=0.1,
     caption="Axial stress σ_z of mode 1 in the plane of bending, divided by the magnitude σ_{98} "
-            "that 98 % of the volume do not exceed; larger magnitudes are drawn as ±1",
+            "that is not exceeded in 98 % of the volume; larger magnitudes are drawn as ±1",
 )  # fmt: skip
 
 
@@ -95,10 +95,11 @@ def _map(q: Any, title: str, m: Any) -> Map:
         title=f"Error of the frequency of mode 1, {title}", x_label="d_2/d_1", y_label="L_2/L",
         columns=tuple(f"{r:g}" for r in RATIOS), rows=tuple(f"{s:g}" for s in SHARES),
         error=m, limits=LIMITS,
-        note="The error is the frequency of the beam at rest over that of the elastic body, minus "
-             f"one. The thick part is in the middle, d_1/L = {q.d_1 / q.L:.3g}, and the bearings "
-             "are those of the inputs. The beam is solved by its weak form; the mesh of the body "
-             "is coarse and causes an error of 0.1 % of the frequency.",
+        note="The error is the frequency of the beam at rest divided by that of the elastic "
+             "body, minus one. The thick part is in the middle, "
+             f"d_1/L = {q.d_1 / q.L:.3g}, and the bearings are those of the inputs. The beam is "
+             "solved by its weak form; the mesh of the body is coarse and causes an error of 0.1 % "
+             "of the frequency.",
     )  # fmt: skip
 
 

@@ -62,7 +62,7 @@ def rows(q: TransferRotor) -> Iterator[Comparison | Check]:
     ):
         yield _accepted(q, name, level, figure)
     last = rotor.euler(FREQUENCIES)
-    order = Order(name="convergence order of the highest compared frequency by Euler's theory",
+    order = Order(name="Euler's theory: convergence order of the highest compared frequency",
                   symbol="p", unit="1", errors=errors_of(last), order=4, demand=0.05,
                   demand_reason="terms of higher order affect the error of the coarsest "
                                 "mesh")  # fmt: skip

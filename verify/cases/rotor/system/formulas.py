@@ -61,8 +61,8 @@ class TransferRotor(DescribedRotor):
     def critical_first(self, k: int) -> float:
         return float(self.study.excited[0].speeds[k - 1])
 
-    @Quantity("n_c{0}'", "r/min", "critical speed {0} excited by the unbalance of a shaft with "
-              "another speed",
+    @Quantity("n_c{0}'", "r/min", "critical speed {0} excited by the unbalance of a shaft whose "
+              "speed differs from that of the first shaft",
               safe="too low",
               when=_found(2)).over(range(1, CRITICALS + 1))  # fmt: skip
     def critical_other(self, k: int) -> float:
