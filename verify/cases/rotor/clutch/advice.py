@@ -80,14 +80,18 @@ def refusal(q: ClutchStiffness) -> str:
     if open_ends(q, "crown") or open_ends(q, "together"):
         return (
             f"the crown's drop of {q.drop * 1e6:g} µm leaves the ends of the sprags without "
-            f"contact under {q.T:g} N m, so that results of struts converge too slowly with the "
-            "number of slices; check it without --fem"
+            f"contact under {q.T:g} N m, so that the results of the model with struts converge "
+            "too slowly with the number of slices; check it without --fem"
         )
     return ""
 
 
 def _above(K: float, leaning: float) -> str:
-    return f"{leaning / (K - leaning):.2%} too large" if leaning < K else "no stiffness remains"
+    return (
+        f"K_tilt is {leaning / (K - leaning):.2%} too large"
+        if leaning < K
+        else "no stiffness remains"
+    )
 
 
 def warnings(q: ClutchStiffness) -> Iterator[str]:

@@ -15,8 +15,9 @@ class ClutchLink(ClutchStiffness):
     """A sprag clutch under torque acts as a bearing and a torsion spring between two rotors.
 
     Eqs. 1 to 11 derive the stiffness of the clutch from one potential. In the reference, each sprag
-    is a strut of the same inclination between rigid hubs, and the kinematics are exact. The terms
-    that the equations neglect are derived separately; they give the expected intervals of errors.
+    is a strut between rigid hubs; the struts are inclined by the wedge angle, and the kinematics
+    are exact. The terms that the equations neglect are derived separately; they give the expected
+    intervals of errors.
     """
 
     id = "rotor-clutch"

@@ -42,14 +42,15 @@ class BeamTheories(TurningShaft):
     def k(self) -> float:
         return np.pi / self.L
 
-    @Quantity("e", "1", "rotary inertia term of mode 1", role="step", tex=r"\frac{I}{A} k^2")
+    @Quantity("e", "1", "ratio of the rotary to the translational inertia, mode 1", role="step",
+              tex=r"\frac{I}{A} k^2")  # fmt: skip
     def rotary(self) -> float:
         return self.I / self.A * (np.pi / self.L) ** 2
 
     @Quantity(
         "s",
         "1",
-        "ratio of the shear term to the rotary inertia term",
+        "ratio of the shear term to the rotary inertia term of the frequency equation",
         role="step",
         tex=r"\frac{E}{\kappa G}",
     )

@@ -36,7 +36,7 @@ def printed_bound(context: Context) -> tuple[float, float, str]:
     The uncertainty and the text of the row are also returned.
     """
     error = largest_error(context, 0, FREQUENCIES)
-    return WITHIN_PRINTED - error, 0.0, f"the relative error with 20 elements is at most {error:.1e}"
+    return WITHIN_PRINTED - error, 0.0, f"the relative error of 20 elements is at most {error:.1e}"
 
 
 def coarse(context: Context) -> Pair:
