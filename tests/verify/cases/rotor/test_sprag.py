@@ -144,7 +144,9 @@ def test_statements_without_peaks_or_members_are_skipped_or_fail(context):
     peaks = context.fem[0].arrays["peaks"]
     none = changed(context, peaks=np.full_like(peaks, np.nan))
     assert named("peaks of node 4 grow with unbalance 2").rows(none)[0].status is Status.SKIP
-    rising = named("peak of node 19 at critical speed 3 as a function of unbalance 2")
+    rising = named(
+        "statement that a larger unbalance 2 gives a smaller peak of node 19 at critical speed 3"
+    )
     assert "in none of the 0 sets" in rising.rows(none)[0].reason
     assert rising.rows(changed(context, peaks=peaks[:, ::-1]))[0].status is Status.FAIL
     share = next(c for c in SPRAG_ROTOR.checks if isinstance(c, Share))

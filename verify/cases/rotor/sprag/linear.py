@@ -217,20 +217,24 @@ LINEAR_ROWS: tuple[Check, ...] = (
     *(Spread(name=f"ratio of the axes of the orbit of node {n}, rotors on anisotropic bearings",
              symbol="a/b", unit="1", values=ratio_of_axes(i))
       for i, n in enumerate(DISCS)),
-    Misprint(name="peak of node 19 at critical speed 3 as a function of unbalance 2",
+    Misprint(name="statement that a larger unbalance 2 gives a smaller peak of node 19 at critical "
+                  "speed 3",
           symbol="x_19", unit="1",
           erratum="huang2022:unbalance-2-third-peak", margin=never_between,
           printed=("huang2022:anomaly-unbalance-with-larger-peak",
                    "huang2022:anomaly-unbalance-with-smaller-peak")),
-    Misprint(name="node of unbalance 1", symbol="", unit="1", margin=at_two_nodes,
+    Misprint(name="statement that unbalance 1 is at the node with the highest peak",
+          symbol="", unit="1", margin=at_two_nodes,
           erratum="huang2022:unbalance-1-location", printed=("huang2022:unbalance-1-node",)),
-    Misprint(name="elliptical orbits", symbol="a/b", unit="1", erratum="huang2022:fig-15-ellipse",
-          margin=ellipses),
-    Misprint(name="torsional resonance at bending critical speeds", symbol="θ_z", unit="1",
-          erratum="huang2022:eq-11-bending-torsion", margin=no_coupling),
+    Misprint(name="statement that orbits are ellipses without anisotropic stiffness",
+          symbol="a/b", unit="1", erratum="huang2022:fig-15-ellipse", margin=ellipses),
+    Misprint(name="statement that torque alone causes torsional resonances at bending critical "
+                  "speeds",
+          symbol="θ_z", unit="1", erratum="huang2022:eq-11-bending-torsion", margin=no_coupling),
     Misprint(name="statement that critical speeds are computed at 5000 r/min", symbol="n", unit="1",
           erratum="huang2022:critical-speed-at-one-speed", margin=at_one_speed,
           printed=("huang2022:comparison-speed",)),
-    Misprint(name="reason that the paper gives for the choice of the plotted nodes", symbol="",
-          unit="1", erratum="huang2022:response-nodes-reason", margin=on_the_ground),
+    Misprint(name="statement that the plotted nodes carry the unbalances and the bearings between "
+                  "the rotors",
+          symbol="", unit="1", erratum="huang2022:response-nodes-reason", margin=on_the_ground),
 )  # fmt: skip
