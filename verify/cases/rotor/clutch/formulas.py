@@ -94,15 +94,15 @@ class ClutchStiffness(SpragLink):
         return float(uniform.offset_coupling(Z=self.Z, k=self.k, d_t=self.d_t, dx=self.e,
                                              delta_0=self.delta_0))  # fmt: skip
 
-    @Quantity("K_xy", "N/mm", "coupling of x and y by the wedge angle", when=lambda q: q.with_gap,
-              source="forces along the struts; zero by Eq. 3")  # fmt: skip
+    @Quantity("K_xy", "N/mm", "coupling of x and y due to the wedge angle",
+              when=lambda q: q.with_gap, source="forces along the struts; zero by Eq. 3")  # fmt: skip
     def K_xy(self) -> float:
         """K_xy with sprags missing at psi_g: -k tan(nu) sum cos(2 psi_g)."""
         if self.with_offset:
             return self.inclined("K_xy")
         return clutch_inclined.coupling_across(self._gone, k=self._k_left, nu=self.nu)
 
-    @Quantity("K_yz", "N", "coupling of y and torsion by the wedge angle",
+    @Quantity("K_yz", "N", "coupling of y and torsion due to the wedge angle",
               when=lambda q: q.with_gap,
               source="forces along the struts; zero by Eq. 3")  # fmt: skip
     def K_yz(self) -> float:
@@ -137,7 +137,7 @@ class ClutchStiffness(SpragLink):
             Z=self.Z, R_i=self.R_i, R_e=self.R_e, nu=self.nu, k=self.k, N=self.N
         )
 
-    @Quantity("p", "1", "exponent of the power law of the stiffness over the torque",
+    @Quantity("p", "1", "exponent of the power law of the stiffness as a function of the torque",
               tex=r"1 - \frac{1}{n}")  # fmt: skip
     def exponent(self) -> float:
         return 1 - 1 / LINE_CONTACT

@@ -168,7 +168,7 @@ class CentralSystem(SpragRotorInputs):
     def delta_0(self) -> float:
         return float(yield_of_sprags(self.T, CENTRAL)[0])
 
-    @Quantity("K_xz", "N", "coupling of bending and torsion by the offset")
+    @Quantity("K_xz", "N", "coupling of bending and torsion due to the offset")
     def coupling(self) -> float:
         return coupling(self.offset)
 
