@@ -95,7 +95,8 @@ class ClutchStiffness(SpragLink):
                                              delta_0=self.delta_0))  # fmt: skip
 
     @Quantity("K_xy", "N/mm", "coupling of x and y due to the wedge angle",
-              when=lambda q: q.with_gap, source="forces along the struts; zero by Eq. 3")  # fmt: skip
+              when=lambda q: q.with_gap,
+              source="forces along the struts; zero by Eq. 3")  # fmt: skip
     def K_xy(self) -> float:
         """K_xy with sprags missing at psi_g: -k tan(nu) sum cos(2 psi_g)."""
         if self.with_offset:
