@@ -55,7 +55,10 @@ def stale(caught: Caught) -> str:
     known = {group.name for group in caught.groups}
     if caught.references:
         known.add("references")
-    heads = {True: "Measured with earlier code only", False: "Not measured with this code"}
+    heads = {
+        True: "Measured with earlier code, but not yet with the present code",
+        False: "Never measured",
+    }
     found = {
         head: [SHORT[name] for name in caught.stale if (name in known) is is_known]
         for is_known, head in heads.items()
@@ -115,12 +118,13 @@ def in_words(caught: Caught) -> list[str]:
     return [
         f"{listed['rows']} of {data['rows']} rows are not required to fail if their reference is "
         f"changed by ±1 %. This is {100 * listed['share']:.1f} % of all rows, or "
-        f"{100 * listed['share without convergence']:.1f} % without the "
+        f"{100 * listed['share without convergence']:.1f} % of the rows that remain without the "
         f"{data['convergence']} convergence rows.",
-        f"If the value of a formula is changed instead, {moved['reached']} of {moved['rows']} "
-        f"rows with a formula depend on this value, and {moved['rows'] - moved['reached']} do not; "
-        f"of those that depend on it, {len(moved['hidden'])} pass in spite of the change.",
-        f"Rows on which no value of a formula has an effect are counted separately: {always}.",
+        f"If values of formulas are changed instead of references, {moved['reached']} of the "
+        f"{moved['rows']} rows with a formula depend on a changed value, and "
+        f"{moved['rows'] - moved['reached']} do not; "
+        f"of those that depend on one, {len(moved['hidden'])} pass in spite of the change.",
+        f"Rows that must fail but do not depend on any value of a formula, by kind: {always}.",
     ]
 
 

@@ -104,7 +104,7 @@ def counts_in_words(checks: Sequence[Crosscheck]) -> str:
     alone = sum(check.state is CrossState.ALONE for check in checks)
     parts = [f"{agree} of {agree + outside} numbers agree"] if agree + outside else []
     if missing:
-        parts.append(f"{missing} problem{'s are' if missing > 1 else ' is'} not measured")
+        parts.append(f"{missing} problem{'s have' if missing > 1 else ' has'} no current result")
     if alone:
         have = "s have" if alone > 1 else " has"
         parts.append(f"{alone} case{have} no second solver (reasons below)")

@@ -17,7 +17,9 @@ def found(one: ReadingsTried) -> str:
         return "no reading"
     more = one.hits - 1
     others = (
-        f"; the number also follows from {more} other combination{'s' * (more > 1)}" if more else ""
+        f"; the printed number also follows from {more} other combination{'s' * (more > 1)}"
+        if more
+        else ""
     )
     value = f" ({one.value:.6g})" if one.value is not None else ""
     weight = "" if one.is_evidence else "; the agreement may be accidental"

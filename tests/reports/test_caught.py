@@ -45,7 +45,7 @@ def test_page_pdf_and_records_have_shares_counts_survivors_and_rows_without_a_re
         "a &lt; &lt;b&gt;", "all rows that must fail at ±1 %",
         "ring-lame/radius: passes with the reference changed by +1",
         '>a fact: an order</th><td class="n">2</td>',
-        "and 10 do not; of those that depend on it, 0 pass in spite",
+        "and 10 do not; of those that depend on one, 0 pass in spite",
     ):  # fmt: skip
         assert words in text
     data = document(one, {})["caught"]
@@ -71,10 +71,11 @@ def test_references_that_were_moved_have_a_line_for_each_kind_and_words():
     assert lines[2].red == [49, 50]
     assert in_words(CAUGHT) == [
         "2 of 160 rows are not required to fail if their reference is changed by ±1 %. This is "
-        "1.2 % of all rows, or 2.0 % without the 58 convergence rows.",
-        "If the value of a formula is changed instead, 50 of 60 rows with a formula depend on "
-        "this value, and 10 do not; of those that depend on it, 0 pass in spite of the change.",
-        "Rows on which no value of a formula has an effect are counted separately: 40 exact "
+        "1.2 % of all rows, or 2.0 % of the rows that remain without the 58 convergence rows.",
+        "If values of formulas are changed instead of references, 50 of the 60 rows with a formula "
+        "depend on a changed value, and 10 do not; of those that depend on one, 0 pass in spite "
+        "of the change.",
+        "Rows that must fail but do not depend on any value of a formula, by kind: 40 exact "
         "balances, 3 deviations from zero, 7 others.",
     ]
     assert moved(Caught(date="2026-11-23")) == ([], [])

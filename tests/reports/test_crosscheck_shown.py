@@ -49,7 +49,7 @@ def checked(wordy) -> Report:
 
 def test_page_and_pdf_have_a_separate_table_and_a_row_leads_to_its_line(checked):
     html, text = page(checked, {}), section(checked, "crosscheck")
-    assert "2 of 3 numbers agree; 1 problem is not measured" in text
+    assert "2 of 3 numbers agree; 1 problem has no current result" in text
     assert "calculix 2.20: 3 numbers of 1 problem; largest difference +10\u202f%" in text
     assert '(<a href="#cross-1">ring-lame, rim</a>)' in text
     assert "a quarter &amp; more" in text

@@ -51,10 +51,10 @@ def test_what_a_search_found_in_words():
     met = ("the formula gives the number, within the rounding of its inputs; "
            "no other reading is needed")  # fmt: skip
     for change, expected in (
-        ({}, f"{words}; the number also follows from 1 other combination"),
+        ({}, f"{words}; the printed number also follows from 1 other combination"),
         (
             {"hits": 3, "is_evidence": False},
-            f"{words}; the number also follows from 2 other combinations; "
+            f"{words}; the printed number also follows from 2 other combinations; "
             "the agreement may be accidental",
         ),
         ({"readings": (), "hits": 0}, "no reading"),

@@ -49,7 +49,7 @@ def count(name: str, symbol: str = "") -> list[Reading]:
         Reading(name=f"{s} − 1 instead of {s}", of=s, inputs=lambda q: {name: q[name] - 1}),
         Reading(name=f"{s} + 1 instead of {s}", of=s, inputs=lambda q: {name: q[name] + 1}),
         Reading(
-            name=f"total of all {s} parts instead of one part",
+            name=f"sum over all {s} parts instead of one part",
             of=ROOT,
             result=lambda v, q: v * q[name],
         ),

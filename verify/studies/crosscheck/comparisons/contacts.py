@@ -185,7 +185,7 @@ CONTACTS = (
     *(
         Cross(
             id=f"contact-sphere, {pair}", case="contact-sphere", solver=CALCULIX,
-            what=f"an axisymmetric sphere at Hertz's approach, {words}",
+            what=f"an axisymmetric sphere {words}, displaced by the approach of Hertz's theory",
             pose=partial(sphere, pair),
             quantities=(
                 Quantity(name="load", row=f"force at Hertz's approach, {words}", symbol="P(δ)",
@@ -197,13 +197,14 @@ CONTACTS = (
     *(
         Cross(
             id=f"contact-slip, {words}", case="contact-slip", solver=CALCULIX,
-            what=f"half discs with friction, pressed by P, upper half disc {words} (pushed: "
-                 "Q = Q_max; swung back: Q = −Q_max/2), plane strain",
+            what=f"half discs with friction, pressed by P; the upper disc is {words} by the "
+            "tangential load Q; plane strain",
             pose=partial(slip, stage),
             quantities=(
                 Quantity(name=NORMAL, symbol="P", unit="N/mm", allowed=CONTACT, why=PENALTY),
                 Quantity(name=PUSH, row=row, beside=True, symbol="Q(δ)", unit="N/mm",
-                         allowed=CONTACT, why=f"{PENALTY}; nodes that should stick slip a little"),
+                         allowed=CONTACT,
+                         why="in calculix, nodes in the stick zone slip by a small amount"),
             ),
         )
         for stage, words, row in (

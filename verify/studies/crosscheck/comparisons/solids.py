@@ -19,7 +19,7 @@ MOVED = 1e-3  # m, of the loop's head
 GRADED = 30.0  # cells over the width: the first over the last
 K = "stiffness of the loop with h/b = 20"
 ROW = "stiffness of a loop by shell and by solid elements, h/b = 20"
-BRICKS = "27-node elements of the project, 20-node elements of calculix, on the same mesh"
+BRICKS = "same mesh; elements of the project have 27 nodes, those of calculix have 20 nodes"
 
 
 def loop(held: bool) -> Posed:
@@ -104,7 +104,8 @@ SOLIDS = (
         pose=shell,
         quantities=(
             Quantity(name=K, symbol="k", unit="N/mm", allowed=5e-3,
-                     why="in arcs, shell and solid elements differ by a fraction of about (b/R)²",
+                     why="for arcs, the stiffnesses by shell and solid elements differ by a "
+                     "fraction of about (b/R)²",
                      beside=True, row=ROW),
         ),
     ),

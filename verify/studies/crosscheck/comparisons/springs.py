@@ -31,12 +31,13 @@ FINE = 3.5  # cells over the root of length over thickness
 THIN = 0.1  # of the thickness, how wide a strip of plane stress is
 LEVEL = 8  # elements of an arc here, and cells there
 STRIP = (
-    "plane elements instead of the project's beams; in arcs, the relative difference of both is "
-    "(b/R)²/30"
+    "the project has beams, calculix has plane elements; for arcs, the stiffnesses by both differ "
+    "by the fraction (b/R)²/30"
 )
 SLENDER: Any = {"allowed": 1e-3, "why": STRIP}
 TWO_SIDES = (
-    f"{STRIP}; larger tolerance, because u_y is the small sum of displacements of opposite sign"
+    "the tolerance of u_y is larger than that of u_x, because u_y is a small sum of displacements "
+    "of opposite sign"
 )
 STEEP = "near P, u_y changes by 6.4 % if the stiffness changes by 1 %"
 UNITS = 6  # of a spring whose tips are to touch
@@ -297,7 +298,7 @@ SPRINGS = (
             Quantity(name=APART, symbol="F", unit="N/mm", allowed=5e-3, why=STRIP,
                      beside=True, row="initial stiffness of the unloaded spring"),
             Quantity(name=TOUCHING, symbol="F", unit="N/mm", allowed=5e-3,
-                     why=f"{STRIP}; penalty contact of the tips",
+                     why="calculix enforces the contact of the tips by a penalty",
                      beside=True, row="no interpenetration of leaves"),
         ),
     ),
