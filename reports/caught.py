@@ -17,7 +17,7 @@ SHORT = {
     "formulas": "formulas", "judging": "judging", "finite-elements": "finite elements",
     "references": "changed references",
 }  # fmt: skip
-PRINTED = "the smallest change that must be detected exceeds 1 %: printed as "
+PRINTED = "the smallest change that must be detected exceeds 1 %: the paper prints only few digits"
 
 
 @dataclass(frozen=True)
@@ -100,7 +100,7 @@ def only_listed(caught: Caught) -> list[tuple[str, int]]:
     for reason, rows in caught.references.get("listed", {}).get("because", {}).items():
         coarse = reason.startswith(PRINTED)
         counts[
-            "the smallest change that must be detected exceeds 1 %: the value is printed with few "
+            "the smallest change that must be detected exceeds 1 %: the paper prints only few "
             "digits"
             if coarse
             else reason

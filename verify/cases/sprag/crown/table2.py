@@ -148,7 +148,7 @@ def demanded(row: int) -> dict[str, Any]:
         return {}
     return {
         "demand": min(asked, COARSE),
-        "demand_reason": f"printed as {entry.printed} %",
+        "demand_reason": f"the paper prints only few digits: {entry.printed} %",
     }
 
 

@@ -104,8 +104,8 @@ SOLIDS = (
         pose=shell,
         quantities=(
             Quantity(name=K, symbol="k", unit="N/mm", allowed=5e-3,
-                     why="for arcs, the stiffnesses by shell and solid elements differ by a "
-                     "fraction of about (b/R)²",
+                     why="for arcs of thickness b and radius R, the stiffnesses by shell and solid "
+                     "elements differ by a fraction of about (b/R)²",
                      beside=True, row=ROW),
         ),
     ),

@@ -31,8 +31,8 @@ FINE = 3.5  # cells over the root of length over thickness
 THIN = 0.1  # of the thickness, how wide a strip of plane stress is
 LEVEL = 8  # elements of an arc here, and cells there
 STRIP = (
-    "the project has beams, calculix has plane elements; for arcs, the stiffnesses by both differ "
-    "by the fraction (b/R)²/30"
+    "the project has beams, calculix has plane elements; for arcs of thickness b and radius R, "
+    "the stiffnesses by both differ by the fraction (b/R)²/30"
 )
 SLENDER: Any = {"allowed": 1e-3, "why": STRIP}
 TWO_SIDES = (
@@ -279,8 +279,8 @@ SPRINGS = (
     *(
         Cross(
             id=f"spring-buckling, drift{near}", case="spring-buckling", solver=CALCULIX,
-            what=f"free head of the spring under a dead load of {share:g} times the Euler load P, "
-            "large displacement",
+            what=f"free head of the spring under the dead load {share:g} P, large displacement; P "
+            "is the Euler load of a cantilever with the length and bending compliance of the spring",
             pose=partial(drift, share),
             quantities=(
                 Quantity(name="u_x", symbol="u_x", unit="mm", **SLENDER),
