@@ -185,7 +185,7 @@ CONTACTS = (
     *(
         Cross(
             id=f"contact-sphere, {pair}", case="contact-sphere", solver=CALCULIX,
-            what=f"an axisymmetric sphere {words}, displaced by the approach of Hertz's theory",
+            what=f"an axisymmetric sphere {words} at Hertz's approach",
             pose=partial(sphere, pair),
             quantities=(
                 Quantity(name="load", row=f"force at Hertz's approach, {words}", symbol="P(δ)",
@@ -197,8 +197,7 @@ CONTACTS = (
     *(
         Cross(
             id=f"contact-slip, {words}", case="contact-slip", solver=CALCULIX,
-            what=f"half discs with friction, pressed by P; the upper disc is {words} by the "
-            "tangential load Q; plane strain",
+            what=f"half discs with friction, pressed by P, upper disc {words} by Q, plane strain",
             pose=partial(slip, stage),
             quantities=(
                 Quantity(name=NORMAL, symbol="P", unit="N/mm", allowed=CONTACT, why=PENALTY),

@@ -279,8 +279,7 @@ SPRINGS = (
     *(
         Cross(
             id=f"spring-buckling, drift{near}", case="spring-buckling", solver=CALCULIX,
-            what=f"free head of the spring under the dead load {share:g} P, large displacement; P "
-            "is the Euler load of a cantilever of the length and bending compliance of the spring",
+            what=f"free head of the spring under the dead load {share:g} P, large displacement",
             pose=partial(drift, share),
             quantities=(
                 Quantity(name="u_x", symbol="u_x", unit="mm", **SLENDER),
