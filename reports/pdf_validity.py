@@ -58,6 +58,6 @@ def _exact(one: Validity) -> list[Run]:
     worst = max(solved, key=lambda e: abs(e.largest or 0.0))
     return [
         f"{len(solved)} of {len(one.exact)} formulas were solved and are exact within their "
-        f"models. The largest difference is {signed(worst.largest, worst.U)} (",
+        f"models. The largest error is {signed(worst.largest, worst.U)} (",
         *prose(worst.quantity), "), measured over ", *prose(one.over), ".",
     ]  # fmt: skip

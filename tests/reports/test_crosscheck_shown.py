@@ -59,7 +59,10 @@ def test_page_and_pdf_have_a_separate_table_and_a_row_leads_to_its_line(checked)
     assert '<a href="#crosscheck">' in html
     cell = html.partition('<td role="cell" class="n fe')[2].partition("</td>")[0]
     assert cell.count('href="#cross-') == cell.count('href="#cross-0"') == 1
-    assert "</a>: 21.7673, difference +0.00046\u202f%, computing time 0.52 s<" in cell
+    assert (
+        "</a>: 21.7673, difference +0.00046\u202f% from this project, computing time 0.52 s<"
+        in cell
+    )
     assert "5522 unknowns: 21.7673 µm; project: 21.7672 µm" in cell
     assert [f'<tr id="cross-{i}"' in text for i in range(4)] == [True, True, True, False]
     (first,) = crosscheck_data((AGREES, OUTSIDE))

@@ -81,7 +81,7 @@ def test_a_card_stands_on_page_and_paper_and_what_is_not_measured_is_named(alone
                          "points without a solution",
     ]  # fmt: skip
     assert second[:2] == [f"measured over {over}", ""]
-    assert "largest difference is −0.00029 ± 0.00001 %" in plain_text(case["exact"])
+    assert "largest error is −0.00029 ± 0.00001 %" in plain_text(case["exact"])
 
 
 def test_a_map_has_each_error_in_its_cell():

@@ -78,27 +78,27 @@ def test_a_card_states_where_the_error_stays_within_each_limit_and_what_breaks_i
     assert grid.problems == ("4 points: level 1: ValueError: 9 holes do not fit",)
     assert grid.error[3 * 3] == pytest.approx(error(4), abs=1e-4)  # a = 4 mm, n = 3
     assert grid.breaks == (
-        "the error exceeds 5 % already at the default inputs; in the middle of the stated range, "
-        "the error is within 5 %; from there, with increasing a, the error first exceeds 5 % "
-        "between 2 and 3 mm (at about 2.8)"
+        "at the default inputs, the error exceeds 5 %; therefore, the inputs are changed from the "
+        "middle of the range in which the error is within 5 %: if a is increased, the error first "
+        "exceeds 5 % between a = 2 and 3 mm (at about 2.8)"
     )
     assert star.over == "a 1 to 5 mm (4 values), b 1 to 2 mm (2 values), one input varied at a time"
     assert limits(star)[1] == (0.05, 2, 3, 0, "a 1 to 2 mm (other inputs constant)")
     assert held.over == "b 1 to 2 mm (2 values), at a = 1 mm"
     assert limits(held)[0] == (0.02, 2, 0, 0, "the whole measured range")
-    assert held.breaks == "no measured point is beyond 5 %"
+    assert held.breaks == "the error exceeds 5 % at no measured point"
 
 
 def test_a_point_that_is_not_surely_inside_has_its_reason(folder):
     plan = kept.plans(PLATE)[2]  # b = 1 mm and 2 mm, where the case has it
     for error_at_1, U, counts, words in (
         (0.04, 0.02, (1, 0, 1, 0),
-         "with decreasing b, the error is within 5 % as far as 2 mm; it is undecided at 1 mm, "
-         "because the error bar crosses the limit"),
+         "if b is reduced, the error is within 5 % as far as b = 2 mm; at 1 mm, the error bar "
+         "crosses the limit (undecided)"),
         (0.08, 0.01, (1, 1, 0, 0),
-         "with decreasing b, the error first exceeds 5 % between 1 and 2 mm (at about 1.5)"),
+         "if b is reduced, the error first exceeds 5 % between b = 1 and 2 mm (at about 1.5)"),
         (NAN, NAN, (1, 0, 0, 1),
-         "no solved point is beyond 5 %; not solved at b = 1 mm"),
+         "the error exceeds 5 % at no point that has a solution; there is no solution at b = 1 mm"),
     ):  # fmt: skip
         found = region(plan, course(plan, [error_at_1, 0.01], [U, 0.001]))
         middle = found.limits[1]
@@ -120,7 +120,7 @@ def test_inputs_varied_one_at_a_time_are_no_box(folder):
     found = region(plan, course(plan, errors, [1e-4] * 5))  # no answer hides no break
     assert (
         found.breaks
-        == "with decreasing a, the error first exceeds 5 % between 1 and 2 mm (at about 1.8)"
+        == "if a is reduced, the error first exceeds 5 % between a = 1 and 2 mm (at about 1.8)"
     )
 
 

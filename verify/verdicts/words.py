@@ -35,7 +35,7 @@ def _head(found: FormulaVerdict) -> Sequence[str]:
     match found.verdict:
         case Verdict.EXACT:
             largest = percent(max(found.above or 0.0, found.below or 0.0))
-            return (f"exact within its idealisation: the largest difference is {largest}",)
+            return (f"exact within its idealisation: the largest error is {largest}",)
         case Verdict.ACCURATE:
             over = f"accurate within {percent(found.within)} over {_studied(found)}"
             return over, _unsafe(found)
@@ -46,12 +46,12 @@ def _head(found: FormulaVerdict) -> Sequence[str]:
         case Verdict.WRONG:
             return _wrong(found)
         case _:
-            left = f" ({found.unsolved} points have no answer)" if found.unsolved else ""
+            left = f" (points that have no solution: {found.unsolved})" if found.unsolved else ""
             only = left if found.points else ONLY
             is_over = found.verdict is Verdict.CONSERVATIVE and found.ranges
             over = f" over {_studied(found)}" if is_over else ""
             is_alone = _one_at_a_time(found) and not any(map(constant, found.ranges))
-            alone = ", one input varied at a time" if is_alone and not over else ""
+            alone = " (one input varied at a time)" if is_alone and not over else ""
             largest = sides(found.above or 0.0, found.below or 0.0)
             errors = f"{found.verdict.value}{over}: the values are {largest} the reference{alone}"
             return errors, f"{_error(found)}{only}", SIDE[found.safe]
@@ -68,7 +68,7 @@ def _unsafe(found: FormulaVerdict) -> str:
         return "all errors are on the safe side"
     most = "up to" if any(map(_is_star, found.ranges)) else "at most"
     side = f"too {'low' if is_low else 'high'}, which is the unsafe side"
-    return f"the values are {most} {percent(largest)} {side}"
+    return f"some values are {most} {percent(largest)} {side}"
 
 
 def _is_star(one: VerdictRange) -> bool:
@@ -112,10 +112,12 @@ def percent(value: float | None) -> str:
 def _studied(found: FormulaVerdict) -> str:
     """Text of all studied ranges; with unsolved points, of the ranges within the largest limit."""
     if found.unsolved:
-        return "; ".join(dict.fromkeys(_range(one) for one in _widest(found) if one.inside))
+        return "; in a further study, over ".join(
+            dict.fromkeys(_range(one) for one in _widest(found) if one.inside)
+        )
     over = dict.fromkeys((one.case, one.over) for one in found.ranges)
     cases = {case for case, _ in over}
-    return "; ".join(
+    return "; in a further study, over ".join(
         f"{VALUES.sub('', text)}{f' ({case})' if len(cases) > 1 else ''}" for case, text in over
     )
 
@@ -151,8 +153,8 @@ def _part(found: FormulaVerdict) -> Sequence[str]:
         own = " and ".join(found.own_only)
         return (
             f"accurate within {percent(found.within)} over {_studied(found)}",
-            f"{found.unsolved} points could not be compared" if found.unsolved else "",
-            f"no study covers the whole design range of {', '.join(missing)}" if missing else "",
+            f"points that have no solution: {found.unsolved}" if found.unsolved else "",
+            f"no study covers the complete design range {', '.join(missing)}" if missing else "",
             f"in {own}, the formula was compared only at the default inputs" if own else "",
         )  # fmt: skip
     widest = _widest(found)
@@ -160,11 +162,11 @@ def _part(found: FormulaVerdict) -> Sequence[str]:
     if not best:
         return ("accurate only at the default inputs",)
     limit = percent(best[0].limit)
-    where = "; ".join(dict.fromkeys(map(_range, best)))
+    where = "; in a further study, for ".join(dict.fromkeys(map(_range, best)))
     inside, points = (sum(getattr(one, n) for one in widest) for n in ("inside", "points"))
     few = f"the error is within {limit} at {inside} of the {points} points, for {where}"
     if _is_outside(found):
-        return (f"{few} only",)
+        return (f"{few}",)
     return (few if 2 * inside < points else f"accurate within {limit} for {where}",)
 
 
@@ -183,7 +185,9 @@ def _range(one: VerdictRange) -> str:
     box = ", ".join(map(side_in_words, one.box))
     alone = "" if not one.is_star or len(one.box) < 2 else " (one input varied at a time)"
     held = f" at {constant(one)}" if constant(one) else ""
-    return f"{box}{alone}{held} in {one.case}, at {one.inside} of the {one.points} compared points"
+    return (
+        f"{box}{alone}{held} in {one.case} (points within this limit: {one.inside} of {one.points})"
+    )
 
 
 def constant(one: VerdictRange) -> str:

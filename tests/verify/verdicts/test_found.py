@@ -132,7 +132,7 @@ def test_accurate_is_what_a_study_spans_the_design_range_of_without_a_caution(ro
         monkeypatch.setattr(found, "design", lambda *_, one=one: (one,))
         assert verdict(formula(), *rows).verdict is expected
         assert verdict(formula(**CAUTION), *rows).verdict is Verdict.PART
-    missing = "No study covers the whole design range of T 1 to 9 N"
+    missing = "No study covers the complete design range T 1 to 9 N"
     assert missing in verdict(formula(), *rows).words
     monkeypatch.setattr(found, "design", lambda *_: ())
     assert verdict(formula(), *rows).verdict is Verdict.PART  # no range is declared
@@ -140,7 +140,7 @@ def test_accurate_is_what_a_study_spans_the_design_range_of_without_a_caution(ro
 
 def test_an_accurate_formula_states_its_unsafe_side(row):
     low, high = (verdict(formula(), row("x", error, 0.001)).words for error in (-0.004, 0.004))
-    assert ". The values are at most 0.5 % too low, which is the unsafe side" in low
+    assert ". Some values are at most 0.5 % too low, which is the unsafe side" in low
     assert ". All errors are on the safe side" in high
 
 
@@ -162,10 +162,10 @@ def test_inputs_that_were_changed_one_at_a_time_give_no_largest_error(row, monke
     x = row("x", 0.001)
     for is_star, most in ((True, "up to"), (False, "at most")):
         studied(monkeypatch, 0.001, -0.2, is_star=is_star)
-        side = f". The values are {most} 20 % too low, which is the unsafe side"
+        side = f". Some values are {most} 20 % too low, which is the unsafe side"
         assert side in verdict(formula(), x).words
         words = verdict(formula(safe=Safe.NEITHER), row("x", 0.2)).words
-        assert (", one input varied at a time." in words) == is_star
+        assert (" (one input varied at a time)." in words) == is_star
 
 
 def test_a_study_of_one_input_at_a_time_beside_a_grid_gives_no_largest_error(row, monkeypatch):
@@ -175,7 +175,7 @@ def test_a_study_of_one_input_at_a_time_beside_a_grid_gives_no_largest_error(row
     for ranges, most in (((grid, star), "up to"), ((grid, grid), "at most")):
         monkeypatch.setattr(found, "ranges", lambda _, ranges=ranges: ranges)
         words = verdict(formula(), row("x", 0.001)).words
-        assert f". The values are {most} 20 % too low, which is the unsafe side" in words
+        assert f". Some values are {most} 20 % too low, which is the unsafe side" in words
         assert words.count("T 1 to 9 N, z 1 to 9 N in ring-lame") <= 1  # no range twice
 
 
@@ -186,7 +186,7 @@ def test_an_error_beyond_the_limits_at_the_default_inputs_comes_first(row, monke
         "the error is +24 % at the default inputs. The error is within 10 % at 1 of the 2 points, "
         "for T"
     )
-    assert " in ring-lame, at 1 of the 2 compared points only. The values are up to 3 %" in words
+    assert " in ring-lame (points within this limit: 1 of 2). Some values are up to 3 %" in words
 
 
 def test_the_count_of_points_comes_first_where_most_are_beyond_the_limits(row, monkeypatch):

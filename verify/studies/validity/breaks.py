@@ -4,10 +4,10 @@ from verify.studies.sweep.region import OUTSIDE, UNDECIDED, UNSOLVED, Break, Reg
 from verify.studies.validity import messages as words
 
 ALREADY = {
-    OUTSIDE: "the error exceeds {} already at the default inputs",
+    OUTSIDE: "at the default inputs, the error exceeds {}",
     UNDECIDED: "at the default inputs, it is undecided whether the error is within {}, because the "
     "error bar crosses this limit",
-    UNSOLVED: "not solved at the default inputs",
+    UNSOLVED: "there is no solution at the default inputs",
 }
 
 
@@ -20,11 +20,11 @@ def breaks(found: Region) -> str:
     start = _start(found, limit)
     step = found.breaks
     if found.everywhere:
-        return f"{start}no measured point is beyond {limit}"
+        return f"{start}the error exceeds {limit} at no measured point"
     if found.inside + found.unsolved == found.points:
         # inputs that a rule rejects, or a run that ends, are no failure of a formula
         missing = "" if step is None else f"; {_unsolved(step)}"
-        return f"{start}no solved point is beyond {limit}{missing}"
+        return f"{start}the error exceeds {limit} at no point that has a solution{missing}"
     if step is None:
         return f"{start}the error exceeds {limit} only if several inputs are changed"
     more = ""
@@ -39,36 +39,33 @@ def _start(found: Region, limit: str) -> str:
     """Start of the text if the search did not start at the default inputs; otherwise empty."""
     if not found.nominal:
         return (
-            f"{_at_nominal(found, limit)}; in the middle of the stated range, the error is within "
-            f"{limit}; from there, "
+            f"{_at_nominal(found, limit)}; therefore, the inputs are changed from the middle of "
+            f"the range in which the error is within {limit}: "
         )
     nominal = [(one, one.axis.nominal) for one in found.box]
     inside = all(v is None or one.low <= v <= one.high for one, v in nominal)
     if inside:
         return ""
     return (
-        f"the error is within {limit} at the default inputs, although they are outside the stated "
-        "range; from there, "
+        f"the inputs are changed from the default inputs, where the error is within {limit}, "
+        "although the default inputs are outside the stated range: "
     )
 
 
 def _broken(step: Break, limit: str) -> str:
-    axis, towards = (
-        step.axis,
-        f"with {'increasing' if step.up else 'decreasing'} {step.axis.symbol}",
-    )
+    axis, towards = step.axis, f"if {step.axis.symbol} is {'increased' if step.up else 'reduced'}"
     if step.verdict == OUTSIDE:
         ends = words.between(axis, step.last, step.first)
         near = "" if step.at is None else words.near(axis, step.last, step.first, step.at)
-        return f"{towards}, the error first exceeds {limit} between {ends}{near}"
+        return f"{towards}, the error first exceeds {limit} between {axis.symbol} = {ends}{near}"
     last, first = (words.quantity(axis, v) for v in (step.last, step.first))
-    doubt = f"it is undecided at {first}, because the error bar crosses the limit"
+    doubt = f"at {first}, the error bar crosses the limit (undecided)"
     then = doubt if step.verdict == UNDECIDED else _unsolved(step)
-    return f"{towards}, the error is within {limit} as far as {last}; {then}"
+    return f"{towards}, the error is within {limit} as far as {axis.symbol} = {last}; {then}"
 
 
 def _unsolved(step: Break) -> str:
-    return f"not solved at {words.span(step.axis, step.first, step.first)}"
+    return f"there is no solution at {words.span(step.axis, step.first, step.first)}"
 
 
 def _at_nominal(found: Region, limit: str) -> str:
