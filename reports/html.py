@@ -31,8 +31,8 @@ WORDS = {
     Status.FAIL: "the check is not met, its sensitivity is insufficient, or the reference has not "
     "converged",
     Status.SKIP: "not run",
-    Status.NOTE: "a printed value that is proved wrong (with its erratum) or is used unchanged; "
-    "not judged",
+    Status.NOTE: "a printed value that is proved wrong (the erratum is stated), or that is used as "
+    "printed; not judged",
     Status.CALIBRATED: "agrees, but only with fitted inputs: the agreement is no evidence",
     Status.SHOWN: "measured but not judged: the uncertainty or the expected error is unknown",
     Status.PASS: "the difference is within a derived tolerance",

@@ -58,7 +58,7 @@ def difference(check: Crosscheck, kind: str = "") -> Markup:
     """
     outside = " (more than allowed)" if check.state is CrossState.OUTSIDE else ""
     found = formats.percents(check.difference, signed=True) if check.difference else "0"
-    return Markup("{}difference {}{} from this project, computing time {:.2g} s").format(
+    return Markup("{}difference from this project {}{}, computing time {:.2g} s").format(
         kind and f"{kind} ", found, outside, check.seconds[1]
     )
 

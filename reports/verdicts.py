@@ -16,7 +16,7 @@ HEAD = "| paper | equation | form | what it gives | verdict | in words |\n|---|-
 NBSP = "\u00a0"  # a narrow column does not separate a sign from its number
 SMALLEST = 1e-4  # relative: smallest error or uncertainty that is printed
 MEANING = {
-    Verdict.EXACT: "solves its idealisation exactly; the detection limit is at most 1 %",
+    Verdict.EXACT: "solves its idealisation exactly; the detection limit of the row is at most 1 %",
     Verdict.ACCURATE: "error plus uncertainty is within 1, 2, 5 or 10 % over the compared range",
     Verdict.PART: "accurate only in the stated part of the range",
     Verdict.CONSERVATIVE: "errors above 10 % occur; errors on the unsafe side are at most 2 %",
