@@ -149,7 +149,7 @@ def _figures(case: CaseResult, frames: Sequence[Frame]) -> list[Data]:
     found = [_figure(standalone(plot(f)), f.title, f.note) for f in case.figures]
     curves = standalone(convergence([row for row in case.rows if row.levels]))
     words = (
-        "Distance from the value of the finest level, or from the exact value if an order is "
+        "Difference of each level from the finest level, or from the exact value if an order is "
         "judged. There is one colour "
         "for each theoretical order. Rows without an order are not drawn."
     )

@@ -83,7 +83,10 @@ def _straight(one: VerdictRange) -> str:
 
 
 def _design(one: FormulaVerdict) -> list[tuple[str, str]]:
-    spanned = {True: "compared from end to end", False: "not compared from end to end"}
+    spanned = {
+        True: "a study covers the complete range",
+        False: "no study covers the complete range",
+    }
     return [
         ("design range", f"{d.case}: {d.words}, {d.source}; {spanned[d.spanned]}")
         for d in one.design
