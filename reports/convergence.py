@@ -48,7 +48,7 @@ def convergence(rows: Sequence[Row]) -> Markup:
             Markup("<g><title>{}</title>{}</g>").format(f"{row.quantity} ({_order(row)})", group)
         ]
     axes.body += _legend(axes, orders, series)
-    count = f"{len(series)} quantities approach their finest value"
+    count = f"{len(series)} quantities converge to their values on the finest level"
     return svg.drawing(WIDTH, HEIGHT, axes.body, count, "chart")
 
 

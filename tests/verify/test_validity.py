@@ -75,7 +75,7 @@ def test_a_card_states_where_the_error_stays_within_each_limit_and_what_breaks_i
         (0.05, 4, 4, 0, "a 1 to 2 mm, n 3 to 6"),
         (0.10, 8, 0, 0, "all a, n 3 to 6"),
     ]
-    assert grid.problems == ("4 points: level 1: ValueError: 9 holes do not fit",)
+    assert grid.problems == ("at 4 points: level 1: ValueError: 9 holes do not fit",)
     assert grid.error[3 * 3] == pytest.approx(error(4), abs=1e-4)  # a = 4 mm, n = 3
     assert grid.breaks == (
         "at the default inputs, the error exceeds 5 %; therefore, the inputs are changed from the "

@@ -26,7 +26,8 @@ def region(plan: Plan, course: Course) -> ValidityRegion:
     return ValidityRegion(
         over=words.over(plan), points=len(plan.points), unsolved=found[0].unsolved,
         problems=tuple(
-            f"{count} point{'s' * (count > 1)}: {reason}" for reason, count in reasons.most_common()
+            f"at {count} point{'s' * (count > 1)}: {reason}"
+            for reason, count in reasons.most_common()
         ),
         limits=tuple(_limit(one, star=plan.star) for one in found), breaks=breaks(found[MIDDLE]),
         axes=drawn, error=tuple(course.error[rows].tolist()),
