@@ -222,6 +222,6 @@ def left(one: CaseBudget) -> str:
     reasons = dict.fromkeys(row.why for row in one.rows if not row.apart)
     return " ".join(
         f"The differences of these rows are not decomposed ({why or UNKNOWN}): "
-        f"{'; '.join(row.quantity for row in one.rows if not row.apart and row.why == why)}."
+        f"“{'”; “'.join(row.quantity for row in one.rows if not row.apart and row.why == why)}”."
         for why in reasons
     )

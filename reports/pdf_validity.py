@@ -18,7 +18,7 @@ def validity_data(known: Sequence[Validity]) -> list[Data]:
 def _case(one: Validity) -> Data:
     over = common(one)
     others = (
-        f"Formulas without measurements at other inputs are: {'; '.join(one.others)}."
+        f"Formulas without measurements at other inputs are: “{'”; “'.join(one.others)}”."
         if one.others
         else ""
     )

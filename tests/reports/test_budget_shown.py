@@ -114,9 +114,9 @@ def test_page_table_and_records_have_budgets_and_what_is_not_measured_or_decompo
     report = replace(alone, budgets=(budget, MISSING))
     text, notes = section(report, "budget"), left(budget)
     assert notes == (
-        "The differences of these rows are not decomposed (no rerun): another; a third. The "
+        "The differences of these rows are not decomposed (no rerun): “another”; “a third”. The "
         "differences of these rows are not decomposed (no cause is known that would explain the "
-        "difference): last."
+        "difference): “last”."
     )
     assert left(BUDGET) == ""
     for words in (

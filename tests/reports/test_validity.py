@@ -60,7 +60,7 @@ def test_a_card_stands_on_page_and_paper_and_what_is_not_measured_is_named(alone
         "2, 5, 10 %",
         "1 of 6 points without a solution</summary>1 point: refused: &lt;b&gt;too thin",
         "1 formula is exact within its model ", "−0.00029 ± 0.00001 %", "5 of 6",
-        "Formulas without measurements at other inputs are: hub at e.",
+        "Formulas without measurements at other inputs are: “hub at e”.",
         'href="#case-polyhedral-ring"',
     ):  # fmt: skip
         assert words in text
