@@ -115,8 +115,9 @@ def loaded_ends(q: StripRoller) -> Comparison:
 
 def end_pressure(q: StripRoller) -> Comparison:
     """Row: strips and half-space agree on Hertz's pressure of the load at the more loaded end."""
-    check = Accepted(name="Hertz's pressure of the mean line load within d of the more loaded end: "
-                     f"strips and half-space agree within {ENDS / 2:.0%}", symbol="p_d", unit="1",
+    check = Accepted(name="Hertz's pressure for the line load averaged over the more loaded end "
+                     f"zone d: strips and half-space agree within {ENDS / 2:.0%}",
+                     symbol="p_d", unit="1",
                      margin=within("p_d", ENDS / 2, lambda: q.p_0))  # fmt: skip
     return Comparison(check=check, quantity=StripRoller.p_d, shares=SHARED)
 

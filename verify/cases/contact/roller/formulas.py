@@ -76,8 +76,8 @@ class StripRoller(Roller):
     def F_1(self) -> float:
         return max(self.strips.ends)
 
-    @Quantity("p_d", "MPa", "Hertz's pressure of the mean line load within d of the more loaded "
-              "end, strips", source="strips", safe="too high",
+    @Quantity("p_d", "MPa", "Hertz's pressure for the line load averaged over the more loaded "
+              "end zone d, strips", source="strips", safe="too high",
               tex=r"\sqrt{\frac{F_1 E*}{\pi d R}}")  # fmt: skip
     def p_d(self) -> float:
         return float(np.sqrt(self.F_1 / self.d * self.E_star / (np.pi * self.R)))

@@ -185,7 +185,7 @@ CONTACTS = (
     *(
         Cross(
             id=f"contact-sphere, {pair}", case="contact-sphere", solver=CALCULIX,
-            what=f"an axisymmetric sphere {words} at Hertz's approach",
+            what=f"an axisymmetric sphere at Hertz's approach, {words}",
             pose=partial(sphere, pair),
             quantities=(
                 Quantity(name="load", row=f"force at Hertz's approach, {words}", symbol="P(δ)",
@@ -197,7 +197,8 @@ CONTACTS = (
     *(
         Cross(
             id=f"contact-slip, {words}", case="contact-slip", solver=CALCULIX,
-            what=f"half discs with friction, pressed by P, upper disc {words} by Q, plane strain",
+            what=f"half discs with friction, pressed by P, upper half disc {words} (pushed: "
+                 "Q = Q_max; swung back: Q = −Q_max/2), plane strain",
             pose=partial(slip, stage),
             quantities=(
                 Quantity(name=NORMAL, symbol="P", unit="N/mm", allowed=CONTACT, why=PENALTY),

@@ -27,8 +27,8 @@ TOLERANCE, LIMIT = 1e-12, 20_000  # of tamaas
 ALIKE = 1e-6
 AT_MIDDLE, TOP = "pressure at mid-length", "largest pressure outside the end zones d"
 END = (
-    "Hertz's pressure of the mean line load within d of the more loaded end: strips and half-space "
-    "agree within 3%"
+    "Hertz's pressure for the line load averaged over the more loaded end zone d: strips and "
+    "half-space agree within 3%"
 )
 READ = {"mid": "p_mid", "peak": "p_max", "end pressure": "p_d", "q mid": "q_mid",
         "largest": "p_largest"}  # fmt: skip

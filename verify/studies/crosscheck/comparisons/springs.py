@@ -279,7 +279,8 @@ SPRINGS = (
     *(
         Cross(
             id=f"spring-buckling, drift{near}", case="spring-buckling", solver=CALCULIX,
-            what=f"free head of the spring under the dead load {share:g} P, large displacement",
+            what=f"free head of the spring under a dead load of {share:g} times the Euler load P, "
+            "large displacement",
             pose=partial(drift, share),
             quantities=(
                 Quantity(name="u_x", symbol="u_x", unit="mm", **SLENDER),
