@@ -205,10 +205,10 @@ def identities(one: CaseBudget) -> str:
     inside = sum(row.within is True for row in rows)
     worst = max(rows, key=lambda row: abs(row.remainder))
     return (
-        f"For {inside} of {len(rows)} identities, the whole difference is explained by the errors "
-        "of mesh and iteration together with the tolerance of the row. The row with the largest "
-        f"remainder is “{worst.quantity}”: of the difference {percent(worst.total, worst.U)}, the "
-        f"remainder is {percent(worst.remainder, worst.u)}."
+        f"For {inside} of {len(rows)} identities, the remainder is within the errors of mesh and "
+        "iteration and the tolerance of the row. The largest remainder is "
+        f"{percent(worst.remainder, worst.u)}, in the row “{worst.quantity}”, whose difference is "
+        f"{percent(worst.total, worst.U)}."
     )
 
 

@@ -17,7 +17,7 @@ SHORT = {
     "formulas": "formulas", "judging": "judging", "finite-elements": "finite elements",
     "references": "changed references",
 }  # fmt: skip
-PRINTED = "the smallest change that must be detected exceeds 1 %: the paper prints only few digits"
+PRINTED = "the smallest change that must be detected exceeds 1 %: printed with few digits"
 
 
 @dataclass(frozen=True)

@@ -114,7 +114,7 @@ class Rotor:
 
     @cached_property
     def blocks(self) -> list[Block]:
-        """Independent blocks, with supports at zero speed."""
+        """Independent blocks of the matrices; supports have their coefficients at zero speed."""
         return blocks(self.system)
 
     @property

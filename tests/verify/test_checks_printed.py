@@ -54,7 +54,7 @@ def test_a_measurement_without_stated_scatter_is_shown_and_not_judged():
     assert (row.status, row.kind, row.tolerance) == (Status.SHOWN, Kind.APPROXIMATION, None)
     assert (row.partner.by, row.partner.value) == ("printed test 0.610", pytest.approx(0.61))
     assert row.difference == pytest.approx(6.1 - 0.61, abs=1e-12)
-    assert row.reason.startswith("difference of the formula +900.0 %")
+    assert row.reason.startswith("difference of the formula from the printed value +900.0 %")
 
 
 @pytest.mark.parametrize(

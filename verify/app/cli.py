@@ -126,7 +126,8 @@ def check(
     json
         Print JSON instead of text; `--keys` lists its keys.
     keys
-        List the keys of the inputs and values of the case; FILE may also be the name of a case.
+        List the keys of all inputs and computed values of the case; FILE may also be the name
+        of a case.
     units
         Units of the answer: si (m, N, Pa), mm (mm, N, MPa) or inch (in, lbf, ksi). The default is
         inch if most lengths of the file are in inches, otherwise mm.

@@ -11,7 +11,7 @@ from verify.judging.claims import Claim, beside
 from verify.papers.entries import Value
 from verify.papers.ledger import erratum, published
 
-NO_UNCERTAINTY = "not judged, because scatter, supports and mesh are not stated"
+NO_UNCERTAINTY = "not judged, because the paper states no uncertainty"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -80,7 +80,7 @@ class PrintedMeasurement(PrintedClaim):
     def judged(self, context: Context) -> Row:
         v, entry = context.analytic[self.analytic], self._printed_value()
         r = entry.value * units.factor(entry.unit)
-        reason = f"difference of the formula {100 * (v / r - 1):+.1f} %, {NO_UNCERTAINTY}"
+        reason = f"difference of the formula from the printed value {100 * (v / r - 1):+.1f} %, {NO_UNCERTAINTY}"
         verdict = judge.Verdict(Status.SHOWN, reason, v - r)
         return self._row(
             context.case, Kind.APPROXIMATION, verdict, analytic=v, scale=abs(r),

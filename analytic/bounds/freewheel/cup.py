@@ -118,7 +118,7 @@ class CupBounds:
 
     @property
     def middle(self) -> Factors:
-        """Factors of d_i, d_o and torque with which d_o has its expected value."""
+        """Factors on the formulas of d_i, d_o and torque; only the factor on d_o is not 1."""
         return 1.0, self.own["d_o"] / self.at.d_o, 1.0
 
     def approach(self, which: str) -> Interval:

@@ -57,7 +57,7 @@ def read(path: Path | None = None) -> tuple[Reason, ...]:
         raise InputError(f"{path}: {unknown[0]}: unknown key; the only permitted key is changes")
     entries = data.get("changes", [])
     if not isinstance(entries, list):
-        raise InputError(f"{path}: the key changes must be a list of tables [[changes]]")
+        raise InputError(f'{path}: the key "changes" must be a list of tables, [[changes]]')
     return tuple(_reason(entry, n, path) for n, entry in enumerate(entries, start=1))
 
 

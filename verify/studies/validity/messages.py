@@ -36,7 +36,7 @@ def between(axis: Axis, last: float, first: float) -> str:
 
 
 def near(axis: Axis, last: float, first: float, at: float) -> str:
-    """Text of `at` [SI] rounded to two digits; empty if not between `last` and `first`."""
+    """Text of `at` [SI], rounded to two digits; empty if the rounded value is out of range."""
     low, high = sorted(axis.in_unit(v) for v in (last, first))
     about = float(f"{axis.in_unit(at):.2g}")
     return f" (at about {number(about)})" if low < about < high else ""

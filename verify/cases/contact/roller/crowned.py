@@ -130,10 +130,11 @@ class CrownedRoller(Crown, Divided, OnHalfSpace):
         self, context: Context, over: str, x_label: str, *, gaps: Array, loads: Array, x: Array,
         best: tuple[str, Array], y_top: float, note: str,
     ) -> Figure:  # fmt: skip
-        """Figure: ratios of peak pressures to Hertz's pressures, for `gaps` under `loads` times F.
+        """Figure: ratio of the peak pressure to Hertz's pressure for each pair of gap and load.
 
-        They are drawn over the abscissae `x`. A dashed curve shows the peak pressures with optimal
-        crowns by the reference; best[0] is the name of this curve, best[1] are its abscissae.
+        The loads are `loads` times F. The ratios are drawn over the abscissae `x`. A dashed curve
+        shows the peak pressures with optimal crowns by the reference; best[0] is the name of this
+        curve, best[1] are its abscissae.
         """
         roller: dict[str, Any] = {"length": self.L, "R": self.R, "E_star": self.E_star}
         pairs = zip(gaps, loads, strict=True)

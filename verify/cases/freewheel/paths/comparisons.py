@@ -245,7 +245,7 @@ def _adopted(path: Any) -> Iterator[Comparison | Check]:
     """Rows of numbers of the paper that are used as printed."""
     for name, key, why in (
         ("upper limit of class red",
-         "red-yellow", "by Coulomb's law the clutch slips at ratios below 1 (erratum "
+         "red-yellow", "by Coulomb's law the clutch slips if μ/μ_req is below 1 (erratum "
                                     "traffic-light-wording)"),
         ("lower limit of class green",
          "yellow-green", "it is the limit of Coulomb's law, at which the clutch still holds "

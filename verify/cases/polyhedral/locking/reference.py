@@ -100,6 +100,6 @@ def diameters(q: LockingInputs) -> list[float]:
 
 
 def widths(q: LockingInputs) -> list[float]:
-    """Half-widths [m] of the parts of the rim that are fixed in place of rollers."""
+    """Half-widths [m] of the fixed parts of the rim, which replace the rollers."""
     wall = min(q.d_e / 2 - q.apothem, q.half_angle * q.d_e / 2)
     return [float(w) for w in wall * np.array(STRETCHES)]

@@ -128,7 +128,7 @@ class PolyhedralMap(MapInputs):
         )  # fmt: skip
 
     def figures(self) -> Iterator[Drawn]:
-        """Figures: maps of the error of K = 1, K over flats, load-transfer ratio over flats."""
+        """Figures: map of the error of the assumption K = 1; K and load-transfer ratio over z."""
         yield Drawn(lambda context: drawn.figures(self, context))
 
 

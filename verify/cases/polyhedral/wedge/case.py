@@ -34,8 +34,8 @@ class WedgedRoller(WedgeFormulas):
         "inclined by α/2 to the plane perpendicular to the bisector",
         "D_i is a diameter: the lever of T is D_i/2",
         "N and T are forces at one contact of one roller; z rollers transmit the torque",
-        "only the forces at the two contacts act on a free roller; a cage force acts along the "
-        "bisector",
+        "only the forces at the two contacts act on a free roller; if a cage pushes the roller, "
+        "its force acts along the bisector of α",
         "the rollers are long and therefore in plane strain, which affects only Hertz's half-width",
     )
     assumptions: ClassVar = (

@@ -49,7 +49,7 @@ def why(q: ClutchFormulas) -> str:
 
 
 def wedging(q: ClutchFormulas) -> str:
-    """Recommended wedge angle and friction coefficient with which the clutch would hold."""
+    """Recommendation: a wedge angle, or a friction coefficient, with which the clutch holds."""
     asked = q.mu_req if q.state else q.mu_0
     grows = max(1.0, asked / q.mu_0) ** 2  # a smaller angle gives a larger force, which opens it
     nu = math.atan(q.mu_s / grows) * DEGREE

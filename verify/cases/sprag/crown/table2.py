@@ -148,7 +148,7 @@ def demanded(row: int) -> dict[str, Any]:
         return {}
     return {
         "demand": min(asked, COARSE),
-        "demand_reason": f"the paper prints only few digits: {entry.printed} %",
+        "demand_reason": f"printed with few digits: {entry.printed} %",
     }
 
 

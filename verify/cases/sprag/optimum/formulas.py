@@ -136,8 +136,8 @@ class CrownAtHand(OptimumInputs, Case):  # type: ignore[misc]  # `levels` is an 
     def advice(self) -> Iterator[str]:
         """Statements on the given crown by formulas; the optimal crown is found only by `--fem`."""
         yield (
-            f"the given crown gives a uniform load under {self.K_1_Q:.4g} N; it is straight over "
-            f"{self.straight * 1e3:.3g} mm of {self.l * 1e3:g} mm"
+            f"with the given crown, the line load is uniform under a load of {self.K_1_Q:.4g} N; "
+            f"the crown is straight over {self.straight * 1e3:.3g} mm of {self.l * 1e3:g} mm"
         )
         if math.isfinite(self.N):
             ends = "are loaded" if self.static_end > 0 else "are unloaded"

@@ -16,7 +16,11 @@ NOISE = 1e-4  # relative error of the finite elements of the maps
 
 
 def errors(q: MapInputs, cells: list[list[Cell]], k: Any) -> Any:
-    """Relative errors of Eqs. 1-9 against stiffnesses `k` (rows, columns, 3); nan where k <= 0."""
+    """Relative errors of the stiffness by Eqs. 1-9; nan where `k` is not positive.
+
+    `k` (rows, columns, 3) are the stiffnesses by finite elements: initial, and secant at the two
+    displacements `SHARES`.
+    """
     k1 = np.array([[float(energy.stiffness(**c.eqs, h=q.h, E=q.E)) if c.b < c.r else np.nan
                     for c in row] for row in cells])  # fmt: skip
     with np.errstate(divide="ignore"):
