@@ -186,7 +186,7 @@ def test_an_error_beyond_the_limits_at_the_default_inputs_comes_first(row, monke
         "the error is +24 % at the default inputs. The error is within 10 % at 1 of the 2 points, "
         "for T"
     )
-    assert " in ring-lame (points within this limit: 1 of 2). Some values are up to 3 %" in words
+    assert " in ring-lame (points within this limit: 1 of 2). Other values are up to 3 %" in words
 
 
 def test_the_count_of_points_comes_first_where_most_are_beyond_the_limits(row, monkeypatch):
