@@ -162,7 +162,7 @@ def test_inputs_that_were_changed_one_at_a_time_give_no_largest_error(row, monke
     x = row("x", 0.001)
     for is_star, most in ((True, "up to"), (False, "at most")):
         studied(monkeypatch, 0.001, -0.2, is_star=is_star)
-        side = f". Some values are {most} 20 % too low, which is the unsafe side"
+        side = f". Other values are {most} 20 % too low, which is the unsafe side"
         assert side in verdict(formula(), x).words
         words = verdict(formula(safe=Safe.NEITHER), row("x", 0.2)).words
         assert (" (one input varied at a time)." in words) == is_star
@@ -175,7 +175,7 @@ def test_a_study_of_one_input_at_a_time_beside_a_grid_gives_no_largest_error(row
     for ranges, most in (((grid, star), "up to"), ((grid, grid), "at most")):
         monkeypatch.setattr(found, "ranges", lambda _, ranges=ranges: ranges)
         words = verdict(formula(), row("x", 0.001)).words
-        assert f". Some values are {most} 20 % too low, which is the unsafe side" in words
+        assert f". Other values are {most} 20 % too low, which is the unsafe side" in words
         assert words.count("T 1 to 9 N, z 1 to 9 N in ring-lame") <= 1  # no range twice
 
 
