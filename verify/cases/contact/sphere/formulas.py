@@ -78,7 +78,7 @@ class SphereFormulas(SphereInputs):
 
     @property
     def force_excess(self) -> float:
-        """Load excess Q/P - 1 to first order in a/R; Q causes Hertz's approach under P."""
+        """Q/P - 1 to first order in a/R; the load Q causes the approach that Hertz gives for P."""
         return sphere_series.load_excess(*self.spheres, P=self.P)
 
     def shear_of(self, body: str) -> tuple[float, float]:

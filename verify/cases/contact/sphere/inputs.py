@@ -92,6 +92,6 @@ class SphereInputs(Case):
 
     @property
     def beyond(self) -> float:
-        """(a/R)² of the smaller sphere: magnitude of terms neglected by the first correction."""
+        """(a/R)² of the smaller sphere: size of the terms beyond the first-order correction."""
         least = self.R_1 if self.pair == "flat" else min(self.R_1, self.R_2)
         return (self.width / least) ** 2

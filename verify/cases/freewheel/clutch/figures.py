@@ -48,7 +48,7 @@ def figures(context: Context) -> Sequence[Figure]:
 
 
 def reach(q: ClutchInputs) -> float:
-    """Upper end [N m] of the torque axis: beyond the two limits above T, below `duty.end`."""
+    """Upper end [N m] of the torque axis: beyond the next two limits above T, below `duty.end`."""
     ahead = [limit.at for limit in q.duty.of_torque if limit.at > q.T]
     most = 1.15 * ahead[1] if len(ahead) > 1 else 1.3 * ahead[0] if ahead else 3 * q.T
     return min(max(WIDE * q.T, min(most, 6 * q.T)), (1 - 1e-9) * q.duty.end)

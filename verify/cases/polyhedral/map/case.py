@@ -123,7 +123,8 @@ class PolyhedralMap(MapInputs):
         yield Agreement(
             name="incremental load-transfer ratio by series and by FE agrees within 1 %",
             symbol="η",
-            pair=shares, accepted=ETA, source=suites("the largest error accepted for any z"),
+            pair=shares, accepted=ETA,
+            source=suites("equal to the default required sensitivity of a row"),
             **demanded(ETA), **more,
         )  # fmt: skip
 

@@ -1,4 +1,4 @@
-"""Case that maps the error of Eq. 6 over the number of loads and the wall thickness."""
+"""Case that maps the error of Eq. 6 over the number of sprags and the wall thickness."""
 
 from collections.abc import Iterator, Mapping
 from typing import ClassVar, NamedTuple, Self
@@ -19,8 +19,7 @@ COUNTS = (3, 4, 6, 8, 10, 12, 16, 24, 32, 48)
 RATIOS = (1.05, 1.1, 1.2, 1.35, 1.5, 2.0, 2.5, 3.0)
 SHARP = (
     3e-3,
-    "this sensitivity is less than a tenth of the smallest interval between two colour limits of "
-    "the map",
+    "this sensitivity is a tenth of the smallest interval between two colour limits of the map",
 )
 
 
@@ -180,7 +179,7 @@ class LoadsMap(Case):
             checked=checked if loaded == "bore" else None,
             note=f"Error: {words}. "
             f"a/r = {self.a_r:g}, with the radius r of the loaded surface. Eq. 6 gives "
-            "the mean deflection of the wall exactly.",
+            "the mean deflection of this surface exactly.",
         )  # fmt: skip
 
 
