@@ -4,7 +4,7 @@ After the torque has passed through zero, the clutch overruns and needs no frict
 torque goes to zero at constant F_ax/T, alpha goes to alpha_0, and mu_req goes to the finite value
 tan(alpha_0) sqrt(1 + (R F_ax/T)²). This is the smallest value of an inner cam, whose angle
 increases with the torque, and the largest value of an outer cam. If the torque passes through zero
-but the axial load does not, mu_req is infinite at the last time with T >= 0, because friction is
+but the axial load does not, mu_req is infinite at the nearest time with T >= 0, because friction is
 zero without normal force.
 """
 

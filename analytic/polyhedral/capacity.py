@@ -96,7 +96,7 @@ class Driven:
         return self._stiffness(N) > self.lift
 
     def force_sensitivity(self, N: float) -> float:
-        """Relative change of N per relative change of u_N N + delta, at constant pressure."""
+        """Relative decrease of N per relative increase of u_N N + delta, at constant pressure."""
         return self.contact.closure(N) / N / (self._stiffness(N) - self.lift)
 
     def pressure_sensitivity(self, N: float) -> float:

@@ -28,7 +28,8 @@ def arc_over_chord(z: ArrayLike) -> Array:
 def required_pressure(*, p_t: ArrayLike, p_1r: ArrayLike, z: ArrayLike) -> Array:
     """Total pressure [stress] by Eqs. 17 and 18 as printed, from the correct `p_t` and p_1r.
 
-    p_1r is the touching pressure. The result is infinite if the correct pressure is infinite.
+    p_1r is the pressure at which the ring reaches the rollers. The result is infinite if the
+    correct pressure is infinite.
     """
     touching = positive(p_1r, "pressure p_1r", "Pa")
     return np.asarray(touching + (np.asarray(p_t) - touching) / arc_over_chord(z))

@@ -42,7 +42,6 @@ def stiffness_with_lever(clutch: SpragCoupling, q: ArrayLike, *, lever: float) -
 
     The last row is multiplied by lever/d_t.
 
-
     >>> from analytic.rotor.clutch import even_angles
     >>> psi = even_angles(Z=4, missing=(0,))
     >>> gap = SpragCoupling(psi=psi, R_i=1.0, nu=np.pi / 4, L=1.0, k_n=3.0)

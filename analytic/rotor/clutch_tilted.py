@@ -35,7 +35,7 @@ def couplings(clutch: SpragCoupling, *, T: float, dx: float, tilt: float) -> dic
     """Coupling stiffnesses [N] by Eqs. 3 to 11 under the torque T [N m].
 
     The first sprag is half a pitch from the x axis. With four sprags, of which one is on the x
-    axis, both couplings would be zero.
+    axis, the coupling of the force along y with the tilt about x would be zero.
     """
     turned = replace(clutch, psi=even_angles(Z=clutch.Z, psi_0=math.pi / clutch.Z))
     K = turned.stiffness(under_torque(turned, T=T, offset=(dx, 0, 0, tilt)))

@@ -139,8 +139,8 @@ class InRace(TwoBodies):
     def approach(self) -> Estimate:
         """Expected error of the approach: zero; the tolerance is `small`/2 plus `|coupled|`.
 
-        The relative errors are divided by the bracket of the approach, 2 ln(...) + ..., which is at
-        least 2.
+        The bracket of the approach, 2 ln(...) + ..., is at least 2. Therefore, an error `small` of
+        the bracket is at most the fraction `small`/2 of the approach.
         """
         return Estimate(0.0, self.small / 2 + abs(self.coupled))
 

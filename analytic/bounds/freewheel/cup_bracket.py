@@ -2,7 +2,7 @@
 
 The cup contains the ring whose bore circumscribes its corners (radius X_o/cos(pi/z)), and is
 contained in the ring whose bore touches its flats (radius X_o). Therefore, its compliance as a ring
-lies between the compliances of both rings. In the first ring, the rollers rest on the remaining
+lies between the compliances of both rings. With the first ring, the rollers rest on the remaining
 part of the flat, a column in which the load spreads as in a half plane. In units of P/(pi E'), the
 displacement constants are -2 ln(a) + 2 ln 2 + 1 for a Hertz patch and -2 ln(h) + 2 for the
 pressures at the depth h. The shortening of the column is 2 ln(2 h/a) - nu'. In total, the column

@@ -49,7 +49,7 @@ def first_order(nu: float, eps: float, Z: int) -> Interval | None:
 
     The error contains the next term of the sum over cos psi, and the change of the mean deflection
     at constant torque. Both are proportional to eps^2; terms of order eps^4 are in the tolerance.
-    None if eps is too large for the series, or if Z < 5, as the sum of cos^4 psi is then not 3/8 Z.
+    None if eps is too large for the series, or if Z < 5, as sums of powers of cos psi then differ.
 
     >>> first_order(0.05, 0.5, 12), first_order(0.05, 0.1, 4)
     (None, None)
