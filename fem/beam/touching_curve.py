@@ -72,7 +72,10 @@ class Curve:
     nodes: Indices  # in the order of the line
 
     def arrays(self, name: str) -> dict[str, Array]:
-        """Arrays of the curve, with names that begin with `name`; shapes are those of the line."""
+        """Arrays of the curve, with names that begin with `name`.
+
+        The nodes of the deformed shapes have the order of the line.
+        """
         return {
             **{f"{name} {key}": getattr(self, key) for key in STORED},
             f"{name} shapes": self.shapes[:, self.nodes],

@@ -31,8 +31,9 @@ PIECES = 1000  # of a step's path at most, each no longer than the thickness
 class Surface:
     """Nearest points of a shape to points (k, 2): `distance`, normal `n` (k, 2), arc length `arc`.
 
-    `turn` and `stretch` are the derivatives of the angle of n and of arc by a displacement of the
-    point along t (n rotated by -90°). `period` is the arc length of the circumference.
+    `turn` and `stretch` are the derivatives of the angle of n and of arc with respect to a
+    displacement of the point along t (n rotated by -90°). `period` is the arc length of the
+    circumference.
     """
 
     distance: Array
@@ -125,7 +126,7 @@ class Body:
         curves = powers(x[p.nodes, :2])
 
         def rise(eta: Array, rows: Indices) -> tuple[Array, Array]:
-            """Distance from the shape plus additional gap, and the derivative of the sum by eta."""
+            """Distance from the shape plus additional gap, and derivative with respect to eta."""
             own, slope = on(curves[rows], eta)
             surface = self._surface(x, own)
             n = self.normals(x, surface)
@@ -221,7 +222,7 @@ class Body:
     def _passed(
         self, x: Array, probe: Indices, eta: Array, own: Places, surface: Surface
     ) -> tuple[Array, Array]:
-        """Slip (k,) since the last accepted state, and derivative of the section's angle by eta."""
+        """Slip (k,) since the last accepted state, and d(rotation of the section)/d(eta)."""
         phi, before = self._pose(x)[2], self._pose(self.before)[2]
         passed = surface.arc[probe] - self.past.arc[probe]
         if math.isfinite(surface.period):
@@ -238,7 +239,7 @@ class Body:
         return slip, (own.N1 * rotated).sum(axis=1)
 
     def _stretch(self, probe: Indices, eta: Array) -> Array:
-        """Derivative of the reference length by eta."""
+        """Derivative of the reference length with respect to eta."""
         return np.hypot(*places(self.points, self.probes.nodes[probe], eta).slope.T)
 
     def normals(self, x: Array, surface: Surface) -> Array:

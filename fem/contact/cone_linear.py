@@ -23,7 +23,7 @@ NEGLIGIBLE = 1e-24  # relative to the largest stiffness against a motion, in who
 
 @dataclass(frozen=True)
 class Rate:
-    """Derivatives of `friction` (m,) and of springs `K` (k, k) by the parameter of a path."""
+    """Derivatives of `friction` (m,) and springs `K` (k, k) with respect to a path parameter."""
 
     friction: Array
     K: Array

@@ -32,7 +32,7 @@ def strain_rows(around: Array, slope: Array) -> tuple[Array, Array]:
     """Matrices B_0 and B_1 (..., 6, n, 3) of the strains (B_0 + n B_1) u.
 
     The strains are rr, tt, zz, 2rt, 2tz, 2zr. `around` (..., n) contains the shape functions
-    divided by r, `slope` (..., 2, n) their derivatives by r and z.
+    divided by r, `slope` (..., 2, n) their derivatives with respect to r and z.
     """
     N_r, N_z = slope[..., 0, :], slope[..., 1, :]
     U, V, W = range(3)

@@ -106,8 +106,8 @@ class FourierSolid:
 
         The loads are the columns of `f` (unknowns, k). The method is intended for forces on few
         unknowns, such as pressures on one surface: these unknowns are eliminated last, and the
-        displacements of all others are not computed. The harmonics are symmetric. For
-        exceptions, see `harmonic`.
+        displacements of all others are not computed. The harmonics are symmetric. Raises ValueError
+        under the conditions that are stated for `harmonic`.
         """
         return next(self.flexibilities((n,), f))
 

@@ -47,9 +47,10 @@ def fitted(
 
 
 def gradients(x: Array, v: Array, systems: Systems) -> Array:
-    """Derivatives (m, modes, k) of the logarithms of the critical speeds by the positions x.
+    """Derivatives (m, modes, k) of the logarithms of the critical speeds.
 
-    The derivatives are calculated from the energies of the mode shapes v.
+    The derivatives are with respect to the positions x, and are calculated from the energies of the
+    mode shapes v.
     """
     made = []
     for change in SMALL * np.eye(x.shape[1]):

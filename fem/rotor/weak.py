@@ -7,8 +7,8 @@ In the complex coordinate r = x + i y, with the slope p = dr/dz minus the shear 
     Euler        a = int EI r'' s'',  m = int rho A r s,  Rayleigh adds rho I r' s' to m
                  and 2 rho I r' s' to g,                   Hermite's cubics
 
-The equation is K v + w W G v - w^2 M v = 0 at the speed W. Shear is integrated at two Gauss
-points per cell, at which the linear function r' can equal the quadratic function p. With more
+The equation is K v + w Omega G v - w^2 M v = 0 at the speed Omega. Shear is integrated at two
+Gauss points per cell, at which the linear function r' can equal the quadratic function p. With more
 points, slender shafts lock.
 """
 
