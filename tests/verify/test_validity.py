@@ -98,7 +98,7 @@ def test_a_point_that_is_not_surely_inside_has_its_reason(folder):
         (0.08, 0.01, (1, 1, 0, 0),
          "if b is reduced, the error first exceeds 5 % between b = 1 and 2 mm (at about 1.5)"),
         (NAN, NAN, (1, 0, 0, 1),
-         "the error exceeds 5 % at no point that has a solution; there is no solution at b = 1 mm"),
+         "the error exceeds 5 % at no point that has a result; there is no result at b = 1 mm"),
     ):  # fmt: skip
         found = region(plan, course(plan, [error_at_1, 0.01], [U, 0.001]))
         middle = found.limits[1]

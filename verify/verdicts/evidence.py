@@ -48,7 +48,7 @@ class Evidence:
 
     @property
     def unsolved(self) -> int:
-        """Number of unsolved points in the studies."""
+        """Number of points without a result, summed over the studies of all rows."""
         return sum(
             int((~np.isfinite(course.error + course.U_error)).sum()) for _, course in self.studies
         )

@@ -46,7 +46,7 @@ def _head(found: FormulaVerdict) -> Sequence[str]:
         case Verdict.WRONG:
             return _wrong(found)
         case _:
-            left = f" (points that have no solution: {found.unsolved})" if found.unsolved else ""
+            left = f" (comparisons without a result: {found.unsolved})" if found.unsolved else ""
             only = left if found.points else ONLY
             is_over = found.verdict is Verdict.CONSERVATIVE and found.ranges
             over = f" over {_studied(found)}" if is_over else ""
@@ -154,7 +154,7 @@ def _part(found: FormulaVerdict) -> Sequence[str]:
         own = " and ".join(found.own_only)
         return (
             f"accurate within {percent(found.within)} over {_studied(found)}",
-            f"points that have no solution: {found.unsolved}" if found.unsolved else "",
+            f"comparisons without a result: {found.unsolved}" if found.unsolved else "",
             f"no study covers the complete design range {', '.join(missing)}" if missing else "",
             f"in {own}, the formula was compared only at the default inputs" if own else "",
         )  # fmt: skip

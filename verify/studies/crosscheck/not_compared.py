@@ -24,7 +24,7 @@ ALONE: Mapping[str, str] = {
     "polyhedral-ring",
     "polyhedral-wedge": "the stick zone of a roller that is pressed without friction and then "
     "loaded tangentially depends on the history of loading; calculix models sticking by a "
-    "tangential stiffness, so that its width of the stick zone is wrong",
+    "tangential stiffness, so that its width of the stick zone is not accurate",
     "polyhedral-clutch": "the ring is the same as in polyhedral-locking, but transmits a torque; "
     "calculix solves the ring of polyhedral-locking without a torque",
     "freewheel-friction": _ALONG,

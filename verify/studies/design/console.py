@@ -193,7 +193,7 @@ def _limit_line(limit: Limit, i: int) -> tuple[str, ...]:
 
 
 def spare(limit: Limit, i: int) -> str:
-    """Margin of candidate `i` to the limit, as a percentage of the bound; "∞" without a bound."""
+    """Margin of candidate `i` to the limit, in percent of the bound; "∞" for an infinite value."""
     room = -float(limit.excess[i])
     return "∞" if np.isinf(room) else f"{100 * room:.3g} %"
 

@@ -22,7 +22,7 @@ from verify.studies.sweep.plan import Plan
 from verify.studies.sweep.point import Solution, Task, code_of, solve_batch
 from verify.studies.sweep.store import Points, joined, lacking
 
-BATCH = 1.0  # s per batch: its overhead is a few ms, and an interruption loses at most one batch
+BATCH = 1.0  # s per batch: overhead a few ms; an interruption loses one batch of each process
 ANSWERED = 50  # batches a second that a scheduler and this process keep up with easily
 MOST = 256  # points of a batch
 

@@ -7,7 +7,7 @@ ALREADY = {
     OUTSIDE: "at the default inputs, the error exceeds {}",
     UNDECIDED: "at the default inputs, it is undecided whether the error is within {}, because the "
     "error bar crosses this limit",
-    UNSOLVED: "there is no solution at the default inputs",
+    UNSOLVED: "there is no result at the default inputs",
 }
 
 
@@ -24,7 +24,7 @@ def breaks(found: Region) -> str:
     if found.inside + found.unsolved == found.points:
         # inputs that a rule rejects, or a run that ends, are no failure of a formula
         missing = "" if step is None else f"; {_unsolved(step)}"
-        return f"{start}the error exceeds {limit} at no point that has a solution{missing}"
+        return f"{start}the error exceeds {limit} at no point that has a result{missing}"
     if step is None:
         return f"{start}the error exceeds {limit} only if several inputs are changed"
     more = ""
@@ -65,7 +65,7 @@ def _broken(step: Break, limit: str) -> str:
 
 
 def _unsolved(step: Break) -> str:
-    return f"there is no solution at {words.span(step.axis, step.first, step.first)}"
+    return f"there is no result at {words.span(step.axis, step.first, step.first)}"
 
 
 def _at_nominal(found: Region, limit: str) -> str:
