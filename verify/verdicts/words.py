@@ -68,7 +68,8 @@ def _unsafe(found: FormulaVerdict) -> str:
         return "all errors are on the safe side"
     most = "up to" if any(map(_is_star, found.ranges)) else "at most"
     side = f"too {'low' if is_low else 'high'}, which is the unsafe side"
-    others = "other" if found.error is not None and (found.error > 0) is is_low else "some"
+    stated = None if found.verdict is Verdict.ACCURATE else found.error
+    others = "other" if stated is not None and (stated > 0) is is_low else "some"
     return f"{others} values are {most} {percent(largest)} {side}"
 
 
