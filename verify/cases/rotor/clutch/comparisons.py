@@ -148,7 +148,7 @@ def _limits(q: ClutchStiffness) -> Iterator[Comparison]:
         return sines, (HARD * q.K_xx / K - 1).tolist(), [1e-13] * len(sines)
 
     def over_yield(levels: Sequence[Level]) -> Points:
-        """Relative deviation of K_zz by pinned struts from the formula, over delta_0/l."""
+        """1 - K_zz/formula over delta_0/l, with K_zz of struts that are pinned to both races."""
         K = levels[-1].arrays["K_zz over deflection, pinned"]
         eps = [q.delta_0 / s / (q.R_e - q.R_i) for s in reversed(STIFFER)]
         d = (1 - K / (q.K_zz * np.array(STIFFER)))[::-1]

@@ -47,7 +47,7 @@ STEPS = (2.0, 1.0, 0.5, 0.2)  # over the time step, in the sweep of the check of
 def solve(q: EngagementInputs, level: int) -> FemResult:
     """Results of a level: limits and sliding states by Runge-Kutta steps.
 
-    The finest level adds results by LSODA, and pairs of speed band and time step that are rejected.
+    The finest level adds results by LSODA, and tests of pairs of speed band and time step.
     """
     dt = q.dt / level
     boundary, half = boundary_fem(q, dt)

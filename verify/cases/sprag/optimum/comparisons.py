@@ -110,7 +110,10 @@ def turns(lines: Array) -> Array:
 
 
 def factorial(context: Context) -> Array:
-    """Pressures [Pa] of computed engagements over K_1, K_2, z_m nearest to 10 µm (Figs. 15, 17)."""
+    """Pressures [Pa] of computed engagements over K_1 and K_2 (Figs. 15, 17).
+
+    z_m is the level of the factorial that is nearest to 10 µm.
+    """
     found, n = measured(context), context.inputs.levels
     largest = np.maximum(found["end"][:, 0], found["inside"][:, 0]).reshape(n, n, n)
     return np.asarray(largest[:, :, int(np.argmin(np.abs(found["X"][:n, 2] - 10e-6)))])

@@ -133,7 +133,7 @@ def _of_paper() -> Iterator[Comparison]:
         name="the axial force on a straight path is within 1 % of the axial force on the roller's "
         "slanted path",
         symbol="F_x", unit="N", pair=claims.travel, accepted=WAY,
-        source=suites("equal to the required sensitivity of the row"), **demanded(WAY),
+        source=suites("equal to the default required sensitivity of a row"), **demanded(WAY),
     ))  # fmt: skip
     yield Comparison(quantity=MapSpring.error_of_tests, check=Contradiction(
         name="force by Eq. 9, compared with the force by Eq. 10, at the largest test force",

@@ -25,7 +25,7 @@ class StagesInputs(AccordionInputs):
 
     width_factor: float | None = quantity(
         1.0957, "1", "f",
-        "width factor: stiffness of the strip over that of a narrow strip, at most 1/(1 - ν²)",
+        "width factor: bending stiffness of the strip over E I, at most 1/(1 - ν²)",
         omitted=None, ge=1, le=1.3, example="1.09",
     )  # fmt: skip
     head: Head = word(
