@@ -165,7 +165,7 @@ class _Worker:
 def _without_interrupts() -> None:
     """Block Ctrl-C in this thread and in the processes that it starts.
 
-    Without this, a terminal would send Ctrl-C to all processes.
+    A terminal sends Ctrl-C to all processes; these ones then do not react to it.
     """
     signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
 

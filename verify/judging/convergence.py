@@ -67,8 +67,9 @@ def grid_convergence(
 ) -> GridConvergence:
     """Convergence of `values` on meshes of size `h`.
 
-    The series diverges if |v3 - v2| ln(h1/h2)/ln(h2/h3) exceeds |v2 - v1| by more than the
-    iteration error, 4 u_it, and round-off. Both sides are equal if the values are linear in log h.
+    The series diverges if |v1 - v2| ln(h3/h2)/ln(h2/h1) exceeds |v2 - v3| by more than the
+    iteration error, 4 u_it, and round-off; v1 is the value on the finest mesh. Both sides are equal
+    if the values are linear in log h.
     If the last difference may be round-off, growth, sign and order are not evaluated: the index is
     a multiple of the spread, :func:`unresolved_multiple`.
 

@@ -80,8 +80,10 @@ class PrintedMeasurement(PrintedClaim):
     def judged(self, context: Context) -> Row:
         v, entry = context.analytic[self.analytic], self._printed_value()
         r = entry.value * units.factor(entry.unit)
-        difference = f"difference of the formula from the printed value {100 * (v / r - 1):+.1f} %"
-        reason = f"{difference}, {NO_UNCERTAINTY}"
+        reason = (
+            f"difference of the formula from the printed value {100 * (v / r - 1):+.1f} %, "
+            f"{NO_UNCERTAINTY}"
+        )
         verdict = judge.Verdict(Status.SHOWN, reason, v - r)
         return self._row(
             context.case, Kind.APPROXIMATION, verdict, analytic=v, scale=abs(r),

@@ -104,7 +104,7 @@ def _short(value: float | None, digits: int = ENOUGH) -> float | None:
 
 
 def _figures(words: str) -> tuple[tuple[str, float], ...]:
-    """Acceptance figures in a text: "0.2% accepted", "accepted: 1%", "2% required"."""
+    """Acceptance limits in a text: "0.2% accepted", "accepted: 1%", "2% required"."""
     return tuple(
         (EARLIER.get(word, word), float(match[1] or match[4]))
         for match in _FIGURE.finditer(words) for word in (match[2] or match[3],)
