@@ -58,9 +58,9 @@ def difference(check: Crosscheck, kind: str = "") -> Markup:
     """
     outside = " (more than allowed)" if check.state is CrossState.OUTSIDE else ""
     found = formats.percents(check.difference, signed=True) if check.difference else "0"
-    return Markup("{}difference from this project {}{}, computing time {:.2g} s").format(
-        kind and f"{kind} ", found, outside, check.seconds[1]
-    )
+    return Markup(
+        "{}difference from this project on the same mesh {}{}, computing time {:.2g} s"
+    ).format(kind and f"{kind} ", found, outside, check.seconds[1])
 
 
 def meshes(check: Crosscheck) -> str:

@@ -101,6 +101,7 @@ def test_a_row_is_named_by_its_id_a_part_of_it_or_words():
         ("Bore Displacement plane STRESS", 0),
         ("stress bore", 0),
         ("bore displacement, plane stress: convergence", 1),
+        ("ring-a/bore displacement, plane stress (u_r(r_i), mm)", 0),  # as on a page
     ):
         assert find_row(name, IDS) == IDS[found]
 

@@ -16,7 +16,8 @@ WIDTH = 98  # of 100: each line of a table without a default begins with a furth
 NUMBER_AND_UNIT = re.compile(r"(?<=\d) (?=[^\W\d])")
 UNBROKEN = "\N{NO-BREAK SPACE}"
 CHOSEN = "not printed, chosen for this suite"
-OPTIONAL = "# Optional: an omitted input has the value stated here; these are {whose} numbers"
+OPTIONAL = "# Optional ({whose} numbers): if omitted, this value, unless the line states another"
+UNUSED = "optional; if left out: not used, or a standard value that the answer states"
 EXAMPLES = "# Also optional: examples of inputs that are not among {whose} numbers"
 
 
@@ -55,8 +56,14 @@ def sections(
 def _line(name: str, field: FieldInfo, known: Mapping[str, Assumption]) -> tuple[str, str]:
     text, about = assigned(name, field, field.default), comment(name, field)
     if name in known:
-        stated = meta(field)["omitted"] != REQUIRED  # by `comment` already
-        about += f"; assumed: {known[name].source}" if stated else f"; {if_left_out(known[name])}"
+        assumed = if_left_out(known[name])
+        match meta(field)["omitted"]:
+            case None:
+                about = about.replace(UNUSED, assumed)
+            case omitted if omitted == REQUIRED:
+                about += f"; {assumed}"
+            case _:  # `comment` has stated the value
+                about += f"; assumed: {known[name].source}"
     return text, about
 
 
@@ -155,7 +162,7 @@ def _omission(field: FieldInfo) -> str:
     if omitted == REQUIRED:
         return ""
     if omitted is None:
-        return "optional, not used if left out"
+        return UNUSED
     meant = _shown(omitted, unit) if isinstance(omitted, float) else omitted
     return f"optional, {meant} if left out"
 

@@ -148,6 +148,8 @@ def find_row(name: str, ids: Sequence[str], where: str = "") -> str:
             raise InputError(
                 f"{len(found)} rows match {name!r}; give one of these names: {_listed(found)}"
             )
+    if name.endswith(")") and " (" in name:  # with the symbol and the unit, as on a page
+        return find_row(name.rpartition(" (")[0], ids, where)
     near = get_close_matches(text, map(_plain, ids), n=3, cutoff=0.3)
     meant = [i for i in ids if _plain(i) in near]
     hint = f"similar rows: {_listed(meant)}" if meant else f"the cases are {', '.join(cases)}"
@@ -168,7 +170,7 @@ def row_in_words(row: Row) -> str:
     """Text with the id of a row and the steps of its judgement, one line each."""
     steps = derive(row).steps
     width = max(len(label) for label, _ in steps)
-    head = f"{row.id} ({row.symbol}, {row.kind.value})"
+    head = f"{row.id} ({', '.join(filter(None, (row.symbol, row.kind.value)))})"
     return "\n".join([head, *(f"  {label:{width}}  {text}" for label, text in steps)])
 
 

@@ -29,7 +29,7 @@ class RoundRing(Case):
     E: float = given("210 GPa", "GPa", "E", "Young's modulus of the ring", gt=0, le=1e5)
     nu: float = given(0.3, "1", "ν", "Poisson's ratio of the ring", ge=0, le=0.45)
     R_p: float | None = given(
-        None, "MPa", "R_p", "yield strength of the ring, for the warning", omitted=None, gt=0,
+        None, "MPa", "R_p", "yield strength of the ring", omitted=None, gt=0,
         example="900 MPa",
     )  # fmt: skip
 

@@ -79,7 +79,7 @@ class AccordionInputs(SpringInputs):
         example="5 N",
     )  # fmt: skip
     R_p: float | None = quantity(
-        None, "MPa", "R_p", "yield strength, for the warning", omitted=None, gt=0,
+        None, "MPa", "R_p", "yield strength", omitted=None, gt=0,
         example="1200 MPa",
     )  # fmt: skip
 

@@ -68,7 +68,8 @@ def test_the_verdict_is_clear_or_not_and_is_followed_by_the_nearest_critical_spe
     q, found, summary, warned = texts_of(RAW)
     below, above = (q.study.excited[k].speeds[j] / RPM for k, j in ((0, 0), (1, 1)))
     assert found[0] == (
-        "clear: no critical speed within 15% of the operating range 5600 to 9000 r/min"
+        "clear: no critical speed that an unbalance excites is within 15% of the operating range "
+        "5600 to 9000 r/min"
     )
     assert (
         f"critical speed {below:.5g} r/min (unbalance of shaft outer, forward whirl): " in found[1]

@@ -28,7 +28,7 @@ class LineContact(Case):
     F: float = given("3407 N", "N", "F", "normal load", gt=0, le=1e9)
     L: float = given("9 mm", "mm", "L", "length of the contact", gt=0, le=1e4)
     R_p: float | None = given(
-        None, "MPa", "R_p", "yield strength, for the warning", omitted=None, gt=0,
+        None, "MPa", "R_p", "yield strength", omitted=None, gt=0,
         example="2000 MPa",
     )  # fmt: skip
 

@@ -64,7 +64,7 @@ class FitInputs(Case):
     E_o: float = given("70 GPa", "GPa", "E_o", "Young's modulus, outer wall", gt=0, le=1e5)
     nu_o: float = given(0.33, "1", "ν_o", "Poisson's ratio, outer wall", ge=0, le=0.45)
     R_p: float | None = given(
-        None, "MPa", "R_p", "yield strength of the weaker wall, for the warning", omitted=None,
+        None, "MPa", "R_p", "yield strength of the weaker wall", omitted=None,
         gt=0, example="250 MPa",
     )  # fmt: skip
 

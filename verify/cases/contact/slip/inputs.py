@@ -34,7 +34,7 @@ class SlipInputs(Case):
     E: float = given("206 GPa", "GPa", "E", "Young's modulus", gt=0, le=1e5)
     nu: float = given(0.3, "1", "ν", "Poisson's ratio", ge=0, le=0.45)
     hardness: float | None = given(
-        None, "MPa", "p_lim", "permissible pressure of the material, for the warning", omitted=None,
+        None, "MPa", "p_lim", "permissible pressure of the material", omitted=None,
         gt=0, example="4000 MPa",
     )  # fmt: skip
 

@@ -35,7 +35,7 @@ class SphereInputs(Case):
     E_2: float = given("110 GPa", "GPa", "E_2", "Young's modulus, lower sphere", gt=0, le=1e5)
     nu_2: float = given(0.34, "1", "ν_2", "Poisson's ratio, lower sphere", ge=0, le=0.45)
     R_p: float | None = given(
-        None, "MPa", "R_p", "yield strength of the weaker body, for the warning", omitted=None,
+        None, "MPa", "R_p", "yield strength of the weaker body", omitted=None,
         gt=0, example="1200 MPa",
     )  # fmt: skip
 

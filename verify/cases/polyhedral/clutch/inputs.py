@@ -42,7 +42,7 @@ class ClutchInputs(Case):
         gt=0, le=25, example="6 deg",
     )  # fmt: skip
     R_p: float | None = given(
-        None, "MPa", "R_p", "yield strength of the ring, for the warning", omitted=None, gt=0,
+        None, "MPa", "R_p", "yield strength of the ring", omitted=None, gt=0,
         example="900 MPa",
     )  # fmt: skip
 

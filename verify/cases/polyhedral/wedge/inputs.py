@@ -26,7 +26,7 @@ class WedgeInputs(Case):
     E: float = given("210 GPa", "GPa", "E", "Young's modulus of rollers and races", gt=0, le=1e5)
     nu: float = given(0.3, "1", "ν", "Poisson's ratio", ge=0, le=0.45)
     p_lim: float | None = given(
-        None, "MPa", "p_lim", "permissible pressure of the material, for the warning", omitted=None,
+        None, "MPa", "p_lim", "permissible pressure of the material", omitted=None,
         gt=0, example="4000 MPa",
     )  # fmt: skip
 

@@ -76,7 +76,7 @@ class Ring(Case):
     E: float = given("206 GPa", "GPa", "E", "Young's modulus", gt=0, le=1e5)
     nu: float = given(0.3, "1", "ν", "Poisson's ratio", ge=0, le=0.45)
     R_p: float | None = given(
-        None, "MPa", "R_p", "yield strength, for the warning", omitted=None, gt=0,
+        None, "MPa", "R_p", "yield strength", omitted=None, gt=0,
         example="1200 MPa",
     )  # fmt: skip
 

@@ -87,7 +87,7 @@ class RotatingRace(Case):
         "9 mm", "mm", "l", "length of the sprags (identified, not printed)", gt=0, le=1e4
     )
     R_p: float | None = given(
-        None, "MPa", "R_p", "yield strength, for the warning", omitted=None, gt=0,
+        None, "MPa", "R_p", "yield strength", omitted=None, gt=0,
         example="1200 MPa",
     )  # fmt: skip
 

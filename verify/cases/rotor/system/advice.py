@@ -52,7 +52,10 @@ def findings(q: TransferRotor) -> Sequence[str]:
 def _verdict(q: TransferRotor) -> list[str]:
     asked = f"{q.speed_from / RPM:.5g} to {q.speed_to / RPM:.5g} r/min"
     if not (met := too_near(q)):
-        return [f"clear: no critical speed within {q.margin:.0%} of the operating range {asked}"]
+        return [
+            "clear: no critical speed that an unbalance excites is within "
+            f"{q.margin:.0%} of the operating range {asked}"
+        ]
     number = f"{len(met)} critical speed{'s' if len(met) > 1 else ''}"
     return [
         f"not clear: {number} within {q.margin:.0%} of the operating range {asked}",
