@@ -60,8 +60,8 @@ def test_page_and_pdf_have_a_separate_table_and_a_row_leads_to_its_line(checked)
     cell = html.partition('<td role="cell" class="n fe')[2].partition("</td>")[0]
     assert cell.count('href="#cross-') == cell.count('href="#cross-0"') == 1
     assert (
-        "</a>: 21.7673, difference from this project on the same mesh +0.00046\u202f%, computing time 0.52 s<"
-        in cell
+        "</a>: 21.7673, difference from this project on the same mesh +0.00046\u202f%, "
+        "computing time 0.52 s<" in cell
     )
     assert "5522 unknowns: 21.7673 µm; project: 21.7672 µm" in cell
     assert [f'<tr id="cross-{i}"' in text for i in range(4)] == [True, True, True, False]
@@ -79,8 +79,9 @@ def test_several_numbers_that_agree_have_one_sentence_at_the_head_of_a_case(chec
     many = [replace(AGREES, quantity=f"sum {i}", difference=i * 1e-6) for i in range(6)]
     head = page(replace(checked, crosschecks=tuple(many)), {}).partition("Second solver, ")[2][:900]
     assert (
-        '<a href="#cross-5">6 numbers</a>, largest difference from this project on the same mesh +0.00050\u202f%'
-        in head
+        '<a href="#cross-5">6 numbers</a>, '
+        "largest difference from this project on the same mesh "
+        "+0.00050\u202f%" in head
     )
     assert ", computing time 0.52 s." in head
     outside = replace(many[0], state=CrossState.OUTSIDE)

@@ -16,7 +16,7 @@ WIDTH = 98  # of 100: each line of a table without a default begins with a furth
 NUMBER_AND_UNIT = re.compile(r"(?<=\d) (?=[^\W\d])")
 UNBROKEN = "\N{NO-BREAK SPACE}"
 CHOSEN = "not printed, chosen for this suite"
-OPTIONAL = "# Optional ({whose} numbers): if omitted, this value, unless the line states another"
+OPTIONAL = "# Optional: if omitted, this value, unless the line states another; {whose} numbers"
 UNUSED = "optional; if left out: not used, or a standard value that the answer states"
 EXAMPLES = "# Also optional: examples of inputs that are not among {whose} numbers"
 
