@@ -99,12 +99,7 @@ def only_listed(caught: Caught) -> list[tuple[str, int]]:
     counts: Counter[str] = Counter()
     for reason, rows in caught.references.get("listed", {}).get("because", {}).items():
         coarse = reason.startswith(PRINTED)
-        counts[
-            "the smallest change that must be detected exceeds 1 %: the paper prints only few "
-            "digits"
-            if coarse
-            else reason
-        ] += len(rows)
+        counts[PRINTED if coarse else reason] += len(rows)
     return counts.most_common()
 
 
@@ -124,7 +119,8 @@ def in_words(caught: Caught) -> list[str]:
         f"{moved['rows']} rows with a formula depend on a changed value, and "
         f"{moved['rows'] - moved['reached']} do not; "
         f"of those that depend on one, {len(moved['hidden'])} pass in spite of the change.",
-        f"Rows that must fail but do not depend on any value of a formula, by kind: {always}.",
+        f"Rows that must fail if their reference is changed, but do not depend on any value of a "
+        f"formula: {always}.",
     ]
 
 

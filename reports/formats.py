@@ -193,7 +193,9 @@ def _cell(text: str) -> Markup:
              for part in value.split(" to ")]  # fmt: skip
     shown = Markup(" to<br>").join(Markup(part) for part in parts)  # noqa: S704 - numbers alone
     return (
-        shown + Markup('<br><small class="by">of {}</small>').format(prose(name)) if of else shown
+        shown + Markup('<br><small class="by">relative to {}</small>').format(prose(name))
+        if of
+        else shown
     )
 
 

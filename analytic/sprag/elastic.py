@@ -48,7 +48,7 @@ class Race:
         return np.asarray(self.middle + 2 / np.pi * np.log(self.a / a))
 
     def under(self, a: Array) -> Array:
-        """Mean deflection of a patch, weighted with elliptic pressure: `at` minus 1/(2 pi)."""
+        """Mean of `at` over a patch, weighted with elliptic pressure: at(a) - 1/(2 pi)."""
         return np.asarray(self.at(a) - 1 / (2 * np.pi))
 
 

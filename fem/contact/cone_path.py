@@ -47,7 +47,9 @@ class Path:
     task: Callable[[float], tuple[Task, Rate]]
 
     def follow(self, at: State, t: float) -> State:
-        """Approximate solution at the end of the path, t = 1, from a solution `at` for `t` < 1.
+        """Approximate solution at the end of the path, followed from the state `at`.
+
+        `at` solves the equations at the parameter `t` < 1; the path ends at the parameter 1.
 
         Newton's method can correct the result. Raises NotFoundError if the path does not reach t =
         1 within MAX_STEPS steps.

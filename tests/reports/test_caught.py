@@ -75,7 +75,8 @@ def test_references_that_were_moved_have_a_line_for_each_kind_and_words():
         "If values of formulas are changed instead of references, 50 of the 60 rows with a formula "
         "depend on a changed value, and 10 do not; of those that depend on one, 0 pass in spite "
         "of the change.",
-        "Rows that must fail but do not depend on any value of a formula, by kind: 40 exact "
+        "Rows that must fail if their reference is changed, but do not depend on any value of a "
+        "formula: 40 exact "
         "balances, 3 deviations from zero, 7 others.",
     ]
     assert moved(Caught(date="2026-11-23")) == ([], [])

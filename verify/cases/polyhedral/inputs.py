@@ -116,8 +116,8 @@ class HubRing(PolygonRing):
     )
     tan_phi: float = given(
         0.05, "1", "tan φ_1",
-        "coefficient of friction between hub and ring; friction acts towards the middle of the "
-        "flat",
+        "coefficient of friction between hub and ring; the friction force on the ring acts "
+        "towards the middle of the flat",
         ge=0, le=1,
     )  # fmt: skip
 

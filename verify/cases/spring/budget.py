@@ -71,9 +71,9 @@ def fem_paper(q: MapInputs, level: int) -> FemResult:
 
 
 def proportional(level: int, force: float, share: float) -> FemResult:
-    """Forces at the displacements of the case, proportional to `force` at the displacement `share`.
+    """Forces that are proportional to the displacement, at the displacements of the case.
 
-    Displacements are divided by the free length.
+    The force is `force` at the displacement `share`. Displacements are divided by the free length.
     """
     values = {f"F_{target}": target / share * force for target in map(Share, SHARES)}
     return FemResult(h=1 / level, values=values)

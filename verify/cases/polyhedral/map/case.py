@@ -85,7 +85,7 @@ class PolyhedralMap(MapInputs):
         return Sector(z=z, d_e=self.d_e, d_i=self.d_e - 2 * delta_1, rho=rho)
 
     def flexibility(self, rings: Sequence[Size]) -> Array:
-        """1/K for middle of the flats, mean displacement and corners by the series, (rings, 3)."""
+        """1/K (rings, 3) by the series, from the middle, mean and corner displacement of a flat."""
         found = (
             bore_pressure.stiffness_factors(sector=self.sector(size), nu=self.nu, assumption=PLANE)
             for size in rings

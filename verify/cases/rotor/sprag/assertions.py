@@ -49,7 +49,7 @@ def opposite(a: Arrays) -> Arrays:
 
 
 def base(a: Arrays) -> Array:
-    """Peaks (m, 3, 22) under the smallest unbalance 2."""
+    """Peaks (members, critical speeds, nodes) for the smallest value of unbalance 2."""
     return a["peaks"][:, 0]
 
 

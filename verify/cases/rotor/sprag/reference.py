@@ -66,7 +66,10 @@ def beams_fem(q: SpragRotorInputs, refine: int) -> dict[str, float]:
 
 
 def critical_fem(members: Array) -> dict[str, Array]:
-    """Critical speeds (m, 3): by sense of whirl, and without parts of the clutch stiffness."""
+    """Three critical speeds of each member, (m, 3), by the name of the variant.
+
+    The variants are both senses of whirl, and omitted parts of the clutch stiffness.
+    """
     from fem.rotor.critical import critical_speeds
 
     count = len(ORDERS)

@@ -79,7 +79,7 @@ def frequency(q: EngagementInputs) -> float:
 
 
 def settled(q: EngagementInputs) -> float:
-    """Time [s] after which an engagement has locked or slips permanently, at least t_end."""
+    """Time [s], not less than t_end, after which an engagement has locked or slips permanently."""
     return max(q.t_end, q.t_ramp + SETTLES / frequency(q))
 
 
