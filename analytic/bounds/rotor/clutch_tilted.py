@@ -1,4 +1,4 @@
-"""Expected errors of the couplings of a tilted clutch; second calculation of the couplings.
+"""Expected errors of coupling stiffnesses of a tilted clutch, and their second calculation.
 
 The first sprag of the clutch is at half a pitch. The deflection of slice k of sprag j is
 d_jk = (dx + x_k gamma) cos psi_j + R_i tan nu g; its force is proportional to the power 10/9 of

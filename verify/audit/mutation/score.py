@@ -74,18 +74,20 @@ def measured(code: Callable[[], str] = digest) -> Caught:
     )
 
 
-def latest() -> Caught:
-    """Scores for the present code or, if there are none, the stored scores of earlier code."""
-    found = measured()
-    if not found.missing:
-        return found
+def latest(code: Callable[[], str] = digest) -> Caught:
+    """Scores of all groups as stored, which are partly or all of earlier code; `stale` names those.
+
+    Without any stored score, the result of `measured`.
+    """
+    found = measured(code)
     stored = {name: record for name in (REFERENCES, *NAMES) if (record := _stored(name))}
     if not stored:
         return found
     return replace(
         caught({name: record.content for name, record in stored.items()}),
-        date=max(record.date for record in stored.values()), stale=(REFERENCES, *NAMES),
-    )  # fmt: skip
+        date=max(record.date for record in stored.values()),
+        stale=(REFERENCES, *NAMES) if found.missing else found.stale,
+    )
 
 
 def _stored(name: str) -> Record | None:

@@ -41,7 +41,7 @@ READINGS = [
     pytest.param(RING, hertz_line, "relative_radius", given(R_2=lambda k: -k["R_2"]),
                  "peak pressure, Hertz", id="the bore's curvature is added"),
     pytest.param(PRESS_FIT, fits, "pressure_of_overlap", one_radius,
-                 "mean contact pressure, rings with overlapping meshes, plane strain",
+                 "mean contact pressure, rings that overlap by the interference, plane strain",
                  id="one radius for walls that overlap"),
     pytest.param(SLIP, hertz_line, "relative_radius", lambda _: lambda *, R_1, R_2: np.asarray(R_1),
                  "stick half-width at Q_max", id="one roller on a flat"),

@@ -28,7 +28,10 @@ FITS = (
     Fit("", "rings", "plane stress", "rings, plane stress"),
     Fit("strain", "rings", "plane strain", "rings, plane strain"),
     Fit(
-        "drawn", "overlapping rings", "plane strain", "rings with overlapping meshes, plane strain"
+        "drawn",
+        "overlapping rings",
+        "plane strain",
+        "rings that overlap by the interference, plane strain",
     ),
     Fit("shaft", "shaft", "plane stress", "solid shaft, plane stress"),
 )

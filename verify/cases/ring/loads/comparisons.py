@@ -33,7 +33,7 @@ BY_FOURIER = (
 
 @dataclass(frozen=True, kw_only=True)
 class Smeared(Approximation):
-    """Comparison of a formula with a deflection by FE that is reduced by the value `less`."""
+    """Comparison of a formula with a deflection by FE, minus the value named `less`, if any."""
 
     less: str = ""
 

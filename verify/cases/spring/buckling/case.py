@@ -70,7 +70,7 @@ class BucklingSpring(BucklingFormulas):
         return beams.solve(self, level)
 
     def comparisons(self) -> Iterator[Comparison | Check]:
-        """Rows: unit, elastica and column against beams; claims on springs of other dimensions."""
+        """Rows: one unit of the spring, the elastica and the column, each against beams; claims."""
         spring = BucklingSpring
         tails = [State(self.held(tail), KEYS[tail].removeprefix("_"), WHERE[tail])
                  for tail in TAILS]  # fmt: skip

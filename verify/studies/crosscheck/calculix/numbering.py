@@ -28,7 +28,7 @@ class Numbering:
 
     @cached_property
     def of(self) -> Indices:
-        """Number of the deck's node of each unknown, (unknowns,); 0 if there is none."""
+        """For each unknown, the number of its node in the deck, (unknowns,); 0 if there is none."""
         number = np.zeros(self.basis.N, int)
         number[self.dofs] = np.arange(1, self.count + 1)
         return number
