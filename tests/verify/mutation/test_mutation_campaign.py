@@ -194,7 +194,7 @@ def test_each_group_counts_for_the_code_that_it_was_measured_on(group, tmp_path,
     none = score.measured(lambda: "a third")
     assert none.missing.startswith("score of mutants not computed for the present code")
     assert not none.groups
-    both = score.latest(lambda: "this code")  # the group of other code is shown, and named
+    both = score.latest(lambda: "this code")  # the group of other code is displayed and named
     assert [g.name for g in both.groups] == ["formulas", "finite-elements"]
     assert set(both.stale) == {"references", "judging", "finite-elements"}
 
