@@ -242,8 +242,8 @@ def mostly(state: State) -> Margin:
         return (
             left,
             SIZE_SHARE * U + U_size,
-            f"change of the load relative to the half-space: {size / on - 1:+.1%} without end "
-            f"faces, {face_ / on - 1:+.1%} with end faces",
+            f"load relative to the half-space: {size / on - 1:+.1%} in the control model, "
+            f"which has no end faces; {face_ / on - 1:+.1%} in the model with end faces",
         )
 
     return margin
