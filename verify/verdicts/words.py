@@ -168,7 +168,7 @@ def _part(found: FormulaVerdict) -> Sequence[str]:
     inside, points = (sum(getattr(one, n) for one in widest) for n in ("inside", "points"))
     few = f"the error is within {limit} at {inside} of the {points} points, for {where}"
     if _is_outside(found):
-        return (f"{few}",)
+        return (few,)
     return (few if 2 * inside < points else f"accurate within {limit} for {where}",)
 
 

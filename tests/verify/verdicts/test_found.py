@@ -8,7 +8,7 @@ import pytest
 
 from verify.core.results import Kind, Status
 from verify.core.verdicts import DesignRange, Form, Safe, Side, Verdict, VerdictRange
-from verify.verdicts import evidence, found
+from verify.verdicts import evidence, found, words
 from verify.verdicts.declared import Formula, declared, rows_of_corrected
 from verify.verdicts.misprint import misprint
 
@@ -133,7 +133,10 @@ def test_accurate_is_what_a_study_spans_the_design_range_of_without_a_caution(ro
         assert verdict(formula(), *rows).verdict is expected
         assert verdict(formula(**CAUTION), *rows).verdict is Verdict.PART
     missing = "No study covers the complete design range T 1 to 9 N"
-    assert missing in verdict(formula(), *rows).words
+    got = verdict(formula(), *rows)
+    assert missing in got.words
+    # a case without a study has a separate sentence
+    assert missing not in words.sentences(replace(got, own_only=("ring-lame",)))
     monkeypatch.setattr(found, "design", lambda *_: ())
     assert verdict(formula(), *rows).verdict is Verdict.PART  # no range is declared
 
